@@ -1,0 +1,84 @@
+/** The scenario: one JSON for page, link, worker, command line and tests. */
+
+/** A number (SI, radians) or an expression such as `"10 deg"`. */
+export type NumberOrExpression = number | string;
+
+export interface LqrControl {
+  type: 'lqr';
+  inputs: string[];
+  at?: Record<string, NumberOrExpression>;
+  Q?: Record<string, NumberOrExpression>;
+  R?: Record<string, NumberOrExpression>;
+  limits?: Record<string, NumberOrExpression>;
+}
+
+export interface TrackControl {
+  type: 'track';
+  /** Keyed by the input that follows it; expressions of t. */
+  reference: Record<string, NumberOrExpression>;
+  kp: number;
+  kd: number;
+  limits?: Record<string, NumberOrExpression>;
+}
+
+export interface MethodOptions {
+  name: string;
+  formulation: string;
+  rtol: number;
+  atol: number;
+  step?: number;
+  maxStep?: number;
+  stages?: number;
+  projection: boolean;
+}
+
+/** A scenario as written: every key but `version` and `system` may be left out. */
+export interface ScenarioFile {
+  version: 1;
+  system: string;
+  parameterSet?: string;
+  parameters?: Record<string, NumberOrExpression>;
+  constraints?: string;
+  hold?: string[];
+  initial?: Record<string, NumberOrExpression>;
+  inputs?: Record<string, NumberOrExpression>;
+  control?: LqrControl | TrackControl;
+  at?: Record<string, NumberOrExpression>;
+  method?: Partial<MethodOptions>;
+  duration?: number;
+  outputStep?: number;
+  events?: Record<string, 'stop' | 'ignore'>;
+  columns?: string[];
+}
+
+/** A scenario after checking: every default filled in, every number a number (inputs and references stay expressions). */
+export interface Scenario {
+  version: 1;
+  system: string;
+  parameterSet: string | null;
+  /** Every parameter of the system, SI. */
+  parameters: Record<string, number>;
+  constraints: string;
+  hold: string[];
+  /** Only what was named. */
+  initial: Record<string, number>;
+  inputs: Record<string, NumberOrExpression>;
+  control: LqrControl | TrackControl | null;
+  at: Record<string, number>;
+  method: MethodOptions;
+  duration: number;
+  outputStep: number;
+  events: Record<string, 'stop' | 'ignore'>;
+  columns: string[];
+}
+
+/** A refusal that says what, where, and what would be right. */
+export class ScenarioError extends Error {
+  /** Path of the offending key, e.g. `initial.alpha_fp`. */
+  readonly path: string;
+  constructor(path: string, message: string) {
+    super(path ? `${path}: ${message}` : message);
+    this.name = 'ScenarioError';
+    this.path = path;
+  }
+}

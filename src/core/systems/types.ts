@@ -1,0 +1,109 @@
+/**
+ * What a mechanical system is to the rest of the program.
+ *
+ * Every system is `M(q) a = h(q, v) + B u + Omega(q)^T lambda` with `Omega(q) v = 0`.
+ * All matrices are row-major `Float64Array`s owned by the caller; SI units and radians.
+ */
+
+/** A generalized coordinate, as it is named in every file, API and test. */
+export interface CoordinateMeta {
+  name: string;
+  /** Typeset symbol for the page, e.g. `α_fp`. */
+  symbol: string;
+  /** Plain words, e.g. "front plate roll, relative to the rod". */
+  label: string;
+  kind: 'length' | 'angle';
+  /** Which part it belongs to: decides its colour everywhere. */
+  part: 'board' | 'front' | 'back';
+  /** Value at rest when `initial` does not name it (default 0). */
+  rest?: number;
+}
+
+export interface ParameterMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  unit: string;
+  default: number;
+  /** Angles are shown in degrees, kept in radians. */
+  kind?: 'angle';
+  /** Inclusive bounds outside which the model has no meaning; refused with a message. */
+  min?: number;
+  max?: number;
+  /** Strictly greater than zero. */
+  positive?: boolean;
+  group: string;
+  note?: string;
+}
+
+export interface InputMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  unit: string;
+  /** Non-zero entries of this input's column of B: coordinate name -> value. */
+  column: Readonly<Record<string, number>>;
+  /** For `track`: the coordinates whose sum follows this input's reference. */
+  tracks?: readonly string[];
+}
+
+export interface BodyMeta {
+  id: string;
+  label: string;
+  part: 'board' | 'front' | 'back';
+}
+
+/** Velocity constraints `Omega(q) v = 0` with `Omega a + gamma = 0`, gamma = Omega_dot v. */
+export interface ConstraintSet {
+  id: string;
+  label: string;
+  rows: number;
+  /** `Omega` is rows x n, `gamma` has rows entries. */
+  evaluate(q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array): void;
+  /**
+   * Exact Jacobians at given a and lambda:
+   * `forceQ` = d(Omega^T lambda)/dq (n x n), `rateQ`, `rateV` = d(Omega a + gamma)/dq, /dv (rows x n),
+   * `velocityQ` = d(Omega v)/dq (rows x n).
+   */
+  jacobians(
+    q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array,
+    forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
+  ): void;
+  /** Holonomic part: heights kept at exactly zero. `rows[i]` is the row of Omega that is d(height_i)/dq. */
+  contact: ContactMeta | null;
+}
+
+export interface ContactMeta {
+  count: number;
+  rows: readonly number[];
+  heights(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Coordinates that give way (Newton) so that the start touches the ground. */
+  solveFor: readonly string[];
+}
+
+export interface SystemMeta {
+  id: string;
+  title: string;
+  coordinates: readonly CoordinateMeta[];
+  parameters: readonly ParameterMeta[];
+  parameterSets: Readonly<Record<string, Readonly<Record<string, number>>>>;
+  /** First one is the default. */
+  constraintSets: readonly { id: string; label: string }[];
+  inputs: readonly InputMeta[];
+  bodies: readonly BodyMeta[];
+}
+
+export interface System {
+  meta: SystemMeta;
+  /** Mass matrix (n x n, both triangles) and h (n) at q, v. */
+  mechanics(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array): void;
+  /** Exact Jacobians of `M a - h` at given a: `dq`, `dv` (n x n each). */
+  jacobians(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
+  /** `out` = [kinetic, potential] in J. */
+  energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
+  poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  constraintSets: Readonly<Record<string, ConstraintSet>>;
+  /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
+  clearance?(q: Float64Array, p: Float64Array): number;
+}

@@ -1,0 +1,145 @@
+/** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
+import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
+import type { System } from '../core/systems/types.ts';
+import type { Trajectory } from '../core/trajectory/trajectory.ts';
+
+/** One change that the consistent start made: a value that was named (or rest) and what it became. */
+export interface Adjustment {
+  name: string;
+  from: number;
+  to: number;
+  /** Whether `initial` named it. */
+  named: boolean;
+}
+
+export interface RunStatistics {
+  steps: number;
+  rejected: number;
+  evaluations: number;
+  /** Energy now minus energy at the start, over the run's largest kinetic energy so far. */
+  energyDrift: number;
+  /** Largest constraint residual so far. */
+  residual: number;
+}
+
+/** Where a run stands. `reason` is a permanent id: `end`, `touchdown`, `constraint-singular`, `step-too-small`, `non-finite`, `cancelled`, `failed`. */
+export type RunState =
+  | { kind: 'computing'; progress: number }
+  | { kind: 'ended'; reason: string; message: string; time: number };
+
+/** A row or cell of a CSV file that could not be used, or a note on how it was read. */
+export interface FileIssue {
+  /** 1-based line in the file; 0 when it concerns the whole file. */
+  line: number;
+  /** Column name or 1-based number; empty when it concerns the whole line. */
+  column: string;
+  message: string;
+}
+
+/** Something that can be watched: a live run or a loaded file. */
+export interface Motion {
+  id: number;
+  source: 'run' | 'file';
+  title: string;
+  system: System;
+  /** Parameters the bodies are drawn with. */
+  parameters: Readonly<Record<string, number>>;
+  trajectory: Trajectory;
+  /** Multipliers are forces under this set (for the force arrows); null for files without. */
+  constraints: string | null;
+  scenario: Scenario | null;
+  adjustments: readonly Adjustment[];
+  issues: readonly FileIssue[];
+  /** Event marks on the time line. */
+  marks: readonly { time: number; name: string }[];
+}
+
+export interface Message {
+  id: number;
+  kind: 'info' | 'warning' | 'error';
+  title: string;
+  /** What happened, where, what to do. */
+  details: readonly string[];
+}
+
+export interface PendingFile {
+  name: string;
+  /** A headerless file: the time step is asked for, this one offered (s). */
+  offeredStep: number;
+}
+
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+
+export interface AppState {
+  // --- the experiment being edited
+  draft: Signal<ScenarioFile>;
+  /** The error of each draft key that is not right, by path; empty when the draft can run. */
+  draftErrors: ReadonlySignal<ReadonlyMap<string, string>>;
+  // --- what is being watched
+  motion: Signal<Motion | null>;
+  /** Bumped whenever the motion's trajectory grows. */
+  rowsVersion: Signal<number>;
+  run: Signal<RunState | null>;
+  statistics: Signal<RunStatistics | null>;
+  // --- playback
+  time: Signal<number>;
+  playing: Signal<boolean>;
+  speed: Signal<number>;
+  /** The speed really held over the last second, or null when not playing. */
+  heldSpeed: Signal<number | null>;
+  loop: Signal<boolean>;
+  // --- view switches
+  view: Signal<ViewName>;
+  follow: Signal<boolean>;
+  showTrails: Signal<boolean>;
+  showForces: Signal<boolean>;
+  theme: Signal<'light' | 'dark'>;
+  // --- things to say
+  messages: Signal<readonly Message[]>;
+  pendingFile: Signal<PendingFile | null>;
+}
+
+export interface AppActions {
+  run(): void;
+  cancel(): void;
+  /** Back to the case the draft came from. */
+  reset(): void;
+  loadCase(id: string): void;
+  openFiles(files: readonly File[]): void;
+  openSample(id: string): void;
+  /** Answers `pendingFile`: the time step in seconds, or null to give up. */
+  answerTimeStep(step: number | null): void;
+  exportCsv(): void;
+  saveScenario(): void;
+  play(): void;
+  pause(): void;
+  toggle(): void;
+  seek(time: number): void;
+  /** Moves by whole rows. */
+  stepRows(rows: number): void;
+  dismiss(messageId: number): void;
+}
+
+export interface CaseInfo {
+  id: string;
+  title: string;
+  /** One line: what to look at. */
+  summary: string;
+  scenario: ScenarioFile;
+}
+
+export interface SampleInfo {
+  id: string;
+  title: string;
+  /** Relative to the page. */
+  url: string;
+}
+
+export interface App {
+  state: AppState;
+  actions: AppActions;
+  cases: readonly CaseInfo[];
+  samples: readonly SampleInfo[];
+  systemOf(id: string): System | undefined;
+}

@@ -1,7 +1,7 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
-import type { System } from '../core/systems/types.ts';
+import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
 /** One change that the consistent start made: a value that was named (or rest) and what it became. */
@@ -42,7 +42,7 @@ export interface Motion {
   id: number;
   source: 'run' | 'file';
   title: string;
-  system: System;
+  system: SystemView;
   /** Parameters the bodies are drawn with. */
   parameters: Readonly<Record<string, number>>;
   trajectory: Trajectory;
@@ -141,5 +141,5 @@ export interface App {
   actions: AppActions;
   cases: readonly CaseInfo[];
   samples: readonly SampleInfo[];
-  systemOf(id: string): System | undefined;
+  systemOf(id: string): SystemView | undefined;
 }

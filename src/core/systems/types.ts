@@ -93,16 +93,20 @@ export interface SystemMeta {
   bodies: readonly BodyMeta[];
 }
 
-export interface System {
+/** What a view needs: names and poses, no dynamics. */
+export interface SystemView {
   meta: SystemMeta;
+  /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
+  poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
+}
+
+export interface System extends SystemView {
   /** Mass matrix (n x n, both triangles) and h (n) at q, v. */
   mechanics(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array): void;
   /** Exact Jacobians of `M a - h` at given a: `dq`, `dv` (n x n each). */
   jacobians(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
   /** `out` = [kinetic, potential] in J. */
   energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
-  /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
-  poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
   constraintSets: Readonly<Record<string, ConstraintSet>>;
   /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
   clearance?(q: Float64Array, p: Float64Array): number;

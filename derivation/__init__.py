@@ -1,0 +1,1 @@
+"""Symbolic derivation of the equations of motion, written out as committed TypeScript."""

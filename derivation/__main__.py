@@ -1,0 +1,36 @@
+"""`python3 -m derivation` writes the generated TypeScript; `--check` compares it byte for byte."""
+
+import sys
+import time
+from pathlib import Path
+
+from . import generate, ripstik
+
+SYSTEMS = {"ripstik": ripstik}
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def main(arguments) -> int:
+    check = "--check" in arguments
+    wrong = 0
+    for name, module in SYSTEMS.items():
+        start = time.perf_counter()
+        texts = generate.modules(module.model(), name)
+        seconds = time.perf_counter() - start
+        for file, text in texts.items():
+            path = ROOT / "src" / "core" / "systems" / name / file
+            shown = path.relative_to(ROOT)
+            if not check:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+                print(f"{name}: wrote {shown} ({len(text) / 1000:.0f} kB)")
+                continue
+            same = path.exists() and path.read_text(encoding="utf-8") == text
+            wrong += not same
+            print(f"{name}: {shown} {'is what the derivation gives' if same else 'DIFFERS from the derivation'}")
+        print(f"{name}: {seconds:.1f} s")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -40,7 +40,7 @@ def record(outputs: dict, prefix: str = "x") -> Tape:
     """Common-subexpression tape of named scalar expressions; zero outputs are left out."""
     named = {name: sp.sympify(e) for name, e in outputs.items() if sp.sympify(e) != 0}
     steps, reduced = sp.cse(list(named.values()), symbols=sp.numbered_symbols(prefix), order="canonical")
-    return Tape(list(steps), dict(zip(named, reduced)))
+    return Tape(list(steps), dict(zip(named, reduced))).pruned()
 
 
 class _Dual:

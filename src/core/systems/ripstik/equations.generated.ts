@@ -218,7 +218,6 @@ export function mechanics(
   const x176 = x172*x46;
   const x177 = casterMass*(-x16*x172 - x169*x37) + x81;
   const x178 = (theta_dot * theta_dot);
-  const x179 = plateOffset*(psi_dot * psi_dot) + plateOffset*x144*x178;
   const x180 = psi_dot*x16;
   const x181 = theta_dot*x30;
   const x182 = theta_dot*x46;

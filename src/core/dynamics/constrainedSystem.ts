@@ -1,0 +1,194 @@
+import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
+import type { ConstraintSet, System } from '../systems/types.ts';
+
+/** Why an acceleration could not be had. */
+export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | 'non-finite';
+
+/**
+ * A pivot of the scaled 4 x 4 system below this share of its diagonal is rounding: the constraint rows are
+ * then dependent. Well below the event's 1e-6, so that the event speaks first.
+ */
+const DEPENDENT = 1e-13;
+
+/** Generalized forces from outside: added onto `force` (n) at time t and state q, v. */
+export type Forcing = (t: number, q: Float64Array, v: Float64Array, force: Float64Array) => void;
+
+/**
+ * A system with its parameters, constraint set, held coordinates and outside forces bound:
+ * evaluates and factors `M a = h + B u + Omega^T lambda`, `Omega a + gamma = 0` at one state.
+ *
+ * Symbols: n coordinates, m constraint rows, L with M = L L^T, Y = L^-1 Omega^T (kept by rows of Omega),
+ * S = Y^T Y = Omega M^-1 Omega^T. One symmetric positive definite solve of order m gives the multipliers
+ * (the saddle-point system's Schur complement; Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5).
+ */
+export class ConstrainedSystem {
+  readonly system: System;
+  readonly parameters: Float64Array;
+  readonly constraints: ConstraintSet | null;
+  readonly n: number;
+  readonly m: number;
+  readonly held: readonly number[];
+
+  /** Mass matrix with held rows and columns replaced by the identity's; after `factor` its lower triangle holds L. */
+  readonly massMatrix: Float64Array;
+  readonly force: Float64Array;
+  readonly omega: Float64Array;
+  readonly gamma: Float64Array;
+  readonly heights: Float64Array;
+  readonly contactCount: number;
+  failure: DynamicsFailure | null = null;
+
+  private readonly forcing: Forcing | null;
+  private readonly Y: Float64Array;
+  private readonly S: Float64Array;
+  private readonly row: Float64Array;
+  private readonly scaled: Float64Array;
+  private readonly gammaFree: Float64Array;
+
+  /**
+   * @param parameters values in the order of the meta
+   * @param constraintSet id, or `none`
+   * @param hold indices of coordinates frozen where they start
+   */
+  constructor(system: System, parameters: Float64Array, constraintSet: string, hold: readonly number[], forcing: Forcing | null) {
+    this.system = system;
+    this.parameters = parameters;
+    this.constraints = constraintSet === 'none' ? null : (system.constraintSets[constraintSet] ?? null);
+    this.n = system.meta.coordinates.length;
+    this.m = this.constraints?.rows ?? 0;
+    this.held = hold;
+    this.forcing = forcing;
+    const { n, m } = this;
+    this.massMatrix = new Float64Array(n * n);
+    this.force = new Float64Array(n);
+    this.omega = new Float64Array(m * n);
+    this.gamma = new Float64Array(m);
+    this.contactCount = this.constraints?.contact?.count ?? 0;
+    this.heights = new Float64Array(this.contactCount);
+    this.Y = new Float64Array(m * n);
+    this.S = new Float64Array(m * m);
+    this.row = new Float64Array(n);
+    this.scaled = new Float64Array(m * m);
+    this.gammaFree = new Float64Array(m);
+  }
+
+  /** Evaluates M, force, Omega and gamma at a state. */
+  evaluate(t: number, q: Float64Array, v: Float64Array): void {
+    this.system.mechanics(q, v, this.parameters, this.massMatrix, this.force);
+    this.forcing?.(t, q, v, this.force);
+    this.constraints?.evaluate(q, v, this.parameters, this.omega, this.gamma);
+    const { n, m } = this;
+    for (const i of this.held) {
+      for (let k = 0; k < n; k++) this.massMatrix[i * n + k] = this.massMatrix[k * n + i] = 0;
+      this.massMatrix[i * n + i] = 1;
+      this.force[i] = 0;
+      for (let r = 0; r < m; r++) this.omega[r * n + i] = 0;
+    }
+  }
+
+  /** Factors M and S in place. False sets `failure`. */
+  factor(): boolean {
+    const { n, m, massMatrix, omega, Y, S, row } = this;
+    if (cholesky(massMatrix, n) !== 0) return this.fail(maxAbs(massMatrix) < Infinity ? 'mass-matrix-singular' : 'non-finite');
+    for (let r = 0; r < m; r++) {
+      for (let k = 0; k < n; k++) row[k] = omega[r * n + k]!;
+      solveLower(massMatrix, n, row);
+      for (let k = 0; k < n; k++) Y[r * n + k] = row[k]!;
+    }
+    for (let r = 0; r < m; r++) {
+      for (let s = 0; s <= r; s++) {
+        let sum = 0;
+        for (let k = 0; k < n; k++) sum += Y[r * n + k]! * Y[s * n + k]!;
+        S[r * m + s] = S[s * m + r] = sum;
+      }
+    }
+    this.scaled.set(S);
+    if (cholesky(S, m, DEPENDENT) !== 0) return this.fail(maxAbs(this.scaled) < Infinity ? 'constraint-singular' : 'non-finite');
+    this.failure = null;
+    return true;
+  }
+
+  /**
+   * Smallest eigenvalue of D S D, D scaling S to a unit diagonal: 1 for orthogonal rows, 0 for dependent ones.
+   * Infinity without constraints. Valid after `factor`, also after a failed one.
+   */
+  independence(): number {
+    const { m, scaled } = this;
+    if (m === 0) return Infinity;
+    const S = scaled.slice();
+    for (let r = 0; r < m; r++) {
+      for (let s = 0; s < m; s++) S[r * m + s] = scaled[r * m + s]! / Math.sqrt(scaled[r * m + r]! * scaled[s * m + s]!);
+    }
+    symmetricEigenvalues(S, m);
+    let smallest = Infinity;
+    for (let r = 0; r < m; r++) smallest = Math.min(smallest, S[r * m + r]!);
+    return smallest;
+  }
+
+  /** After `factor`: a (n) and lambda (m) of the constrained motion. False sets `failure`. */
+  solve(a: Float64Array, lambda: Float64Array): boolean {
+    const { n, m, Y, massMatrix } = this;
+    for (let i = 0; i < n; i++) a[i] = this.force[i]!;
+    solveLower(massMatrix, n, a);
+    for (let r = 0; r < m; r++) {
+      let sum = -this.gamma[r]!;
+      for (let k = 0; k < n; k++) sum -= Y[r * n + k]! * a[k]!;
+      lambda[r] = sum;
+    }
+    this.solveS(lambda);
+    for (let r = 0; r < m; r++) {
+      const l = lambda[r]!;
+      for (let k = 0; k < n; k++) a[k]! += Y[r * n + k]! * l;
+    }
+    solveLowerTransposed(massMatrix, n, a);
+    return maxAbs(a) < Infinity ? true : this.fail('non-finite');
+  }
+
+  /** Evaluate, factor and solve at one state. */
+  acceleration(t: number, q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array): boolean {
+    this.evaluate(t, q, v);
+    return this.factor() && this.solve(a, lambda);
+  }
+
+  /** Solves S x = b in place of b (m), after `factor`. */
+  solveS(b: Float64Array): void {
+    solveLower(this.S, this.m, b);
+    solveLowerTransposed(this.S, this.m, b);
+  }
+
+  /** x += M^-1 Omega^T w, after `factor`; `w` has m entries. */
+  addWeighted(w: Float64Array, x: Float64Array): void {
+    const { n, m, Y, row } = this;
+    row.fill(0);
+    for (let r = 0; r < m; r++) for (let k = 0; k < n; k++) row[k]! += Y[r * n + k]! * w[r]!;
+    solveLowerTransposed(this.massMatrix, n, row);
+    for (let k = 0; k < n; k++) x[k]! += row[k]!;
+  }
+
+  /** Omega(q) as last evaluated, times v, into out (m). */
+  constraintVelocity(v: Float64Array, out: Float64Array): void {
+    const { n, m, omega } = this;
+    for (let r = 0; r < m; r++) {
+      let sum = 0;
+      for (let k = 0; k < n; k++) sum += omega[r * n + k]! * v[k]!;
+      out[r] = sum;
+    }
+  }
+
+  /** Re-evaluates Omega alone (held columns cleared), keeping the factors. */
+  refreshOmega(q: Float64Array, v: Float64Array): void {
+    if (!this.constraints) return;
+    this.constraints.evaluate(q, v, this.parameters, this.omega, this.gammaFree);
+    for (const i of this.held) for (let r = 0; r < this.m; r++) this.omega[r * this.n + i] = 0;
+  }
+
+  /** Heights of the contact points into `heights`. */
+  refreshHeights(q: Float64Array): void {
+    this.constraints?.contact?.heights(q, this.parameters, this.heights);
+  }
+
+  private fail(reason: DynamicsFailure): false {
+    this.failure = reason;
+    return false;
+  }
+}

@@ -1,0 +1,166 @@
+import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
+import { PiController, errorNorm, firstStep } from './stepControl.ts';
+
+/**
+ * Dormand and Prince's explicit Runge-Kutta method of order 5(4), with continuous output of order 4.
+ *
+ * J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math. 6 (1980);
+ * coefficients from Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., table II.5.2; dense output from
+ * section II.6 (Shampine's, as in the authors' DOPRI5).
+ *
+ * Not guaranteed: efficiency on stiff problems (no stiffness detection; the step count tells).
+ */
+
+const C = [0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1] as const;
+const A = [
+  [],
+  [1 / 5],
+  [3 / 40, 9 / 40],
+  [44 / 45, -56 / 15, 32 / 9],
+  [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729],
+  [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656],
+  [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
+] as const;
+/** b - b_hat: weights of the error estimate. */
+const E = [71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40] as const;
+/** Dense output's fifth coefficient. */
+const D = [
+  -12715105075 / 11282082432, 0, 87487479700 / 32700410799, -10690763975 / 1880347072,
+  701980252875 / 199316789632, -1453857185 / 822651844, 69997945 / 29380423,
+] as const;
+const STAGES = 7;
+const ORDER = 5;
+
+/** A step below this many units in the last place of t cannot advance it reliably. */
+const SMALLEST_ULPS = 16;
+
+export class Dopri5 implements Stepper {
+  t = 0;
+  previousT = 0;
+  readonly y: Float64Array;
+  readonly counters = zeroCounters();
+
+  private readonly problem: OdeProblem;
+  private readonly options: StepperOptions;
+  private readonly controller = new PiController(ORDER);
+  private readonly k: Float64Array[];
+  private readonly yNew: Float64Array;
+  private readonly error: Float64Array;
+  private readonly dense: Float64Array[];
+  private h = 0;
+  private stepTaken = 0;
+  private fresh = false;
+
+  constructor(problem: OdeProblem, options: StepperOptions) {
+    const vector = (): Float64Array => new Float64Array(problem.dimension);
+    this.problem = problem;
+    this.options = options;
+    this.y = vector();
+    this.yNew = vector();
+    this.error = vector();
+    this.k = Array.from({ length: STAGES }, vector);
+    this.dense = Array.from({ length: 5 }, vector);
+  }
+
+  reset(t: number, y: Float64Array): void {
+    this.t = this.previousT = t;
+    this.y.set(y);
+    this.h = this.options.step ?? 0;
+    this.fresh = false;
+    this.controller.reset();
+    Object.assign(this.counters, zeroCounters());
+  }
+
+  stateChanged(): void {
+    this.fresh = false;
+  }
+
+  step(limit: number): StepFailure | null {
+    const { k, y, yNew, options, counters } = this;
+    if (!this.fresh && !this.f(this.t, y, k[0]!)) return this.problem.failure ?? 'non-finite';
+    this.fresh = true;
+    if (!(this.h > 0)) {
+      this.h = firstStep((t, x, out) => this.f(t, x, out), this.t, y, k[0]!, ORDER, options.rtol, options.atol, [yNew, this.error]);
+    }
+    const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
+    for (;;) {
+      const h = this.stepTo(limit);
+      // An evaluation that has no value counts as an error without bound: a shorter step may go around it.
+      const error = this.stages(h) ? errorNorm(this.error, y, yNew, options.rtol, options.atol) : Infinity;
+      if (error <= 1) {
+        this.accept(h, limit, error);
+        return null;
+      }
+      counters.rejected++;
+      this.h = h * this.controller.reject(error);
+      if (!(this.h > smallest)) return error < Infinity ? 'step-too-small' : (this.problem.failure ?? 'non-finite');
+    }
+  }
+
+  interpolate(t: number, out: Float64Array): void {
+    const s = (t - this.previousT) / this.stepTaken;
+    const r = 1 - s;
+    const [r1, r2, r3, r4, r5] = this.dense as [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array];
+    for (let i = 0; i < out.length; i++) {
+      out[i] = r1[i]! + s * (r2[i]! + r * (r3[i]! + s * (r4[i]! + r * r5[i]!)));
+    }
+  }
+
+  private f(t: number, y: Float64Array, out: Float64Array): boolean {
+    this.counters.evaluations++;
+    return this.problem.derivative(t, y, out);
+  }
+
+  /** The step to try: at most maxStep, stretched or halved so that no sliver is left before the limit. */
+  private stepTo(limit: number): number {
+    const left = limit - this.t;
+    const h = Math.min(this.h, this.options.maxStep ?? Infinity);
+    if (h >= left || 1.01 * h >= left) return left;
+    return 2 * h > left ? left / 2 : h;
+  }
+
+  /** Stages 2 to 7, the new state and the error estimate. The seventh stage is the next step's first. */
+  private stages(h: number): boolean {
+    const { k, y, yNew, error } = this;
+    const n = y.length;
+    for (let s = 1; s < STAGES; s++) {
+      const row = A[s]!;
+      for (let i = 0; i < n; i++) {
+        let sum = 0;
+        for (let j = 0; j < s; j++) sum += row[j]! * k[j]![i]!;
+        yNew[i] = y[i]! + h * sum;
+      }
+      if (!this.f(this.t + C[s]! * h, yNew, k[s]!)) return false;
+    }
+    for (let i = 0; i < n; i++) {
+      let sum = 0;
+      for (let j = 0; j < STAGES; j++) sum += E[j]! * k[j]![i]!;
+      error[i] = h * sum;
+    }
+    return true;
+  }
+
+  private accept(h: number, limit: number, error: number): void {
+    const { k, y, yNew, dense } = this;
+    for (let i = 0; i < y.length; i++) {
+      const difference = yNew[i]! - y[i]!;
+      const bulge = h * k[0]![i]! - difference;
+      dense[0]![i] = y[i]!;
+      dense[1]![i] = difference;
+      dense[2]![i] = bulge;
+      dense[3]![i] = difference - h * k[6]![i]! - bulge;
+      let sum = 0;
+      for (let j = 0; j < STAGES; j++) sum += D[j]! * k[j]![i]!;
+      dense[4]![i] = h * sum;
+    }
+    this.previousT = this.t;
+    this.stepTaken = h;
+    this.t = h === limit - this.t ? limit : this.t + h;
+    y.set(yNew);
+    k[0]!.set(k[6]!);
+    this.counters.steps++;
+    // A step cut short by the limit says nothing about how long the next may be.
+    const next = h * this.controller.accept(error);
+    this.h = h < this.h ? Math.max(this.h, next) : next;
+  }
+}

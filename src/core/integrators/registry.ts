@@ -1,0 +1,21 @@
+import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
+import { Dopri5 } from './dopri5.ts';
+
+export interface MethodInfo {
+  id: string;
+  label: string;
+  adaptive: boolean;
+  create(problem: OdeProblem, options: StepperOptions): Stepper;
+}
+
+/** Every stepper by its permanent id; the first is the default. */
+export const methods: readonly MethodInfo[] = [
+  { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true, create: (problem, options) => new Dopri5(problem, options) },
+];
+
+export function methodNamed(id: string): MethodInfo | undefined {
+  return methods.find((m) => m.id === id);
+}
+
+/** Ways to get accelerations, by permanent id. */
+export const formulations: readonly { id: string; label: string }[] = [{ id: 'multipliers', label: 'Lagrange multipliers' }];

@@ -1,0 +1,308 @@
+import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
+import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
+import { eventsOf, type EventFunction } from '../dynamics/events.ts';
+import { actuationOf, type Actuation } from '../dynamics/forcing.ts';
+import { Projection } from '../dynamics/projection.ts';
+import type { OdeProblem, Stepper } from '../integrators/contract.ts';
+import { formulations, methodNamed, methods } from '../integrators/registry.ts';
+import { ScenarioError, type Scenario } from '../scenario/types.ts';
+import type { System } from '../systems/types.ts';
+
+/** How a run ended. `reason` is a permanent id; `message` is for people. */
+export interface RunEnd {
+  reason: string;
+  message: string;
+  time: number;
+}
+
+export interface RunCounts {
+  steps: number;
+  rejected: number;
+  evaluations: number;
+  /** (E - E at the start) / largest kinetic energy so far. */
+  energyDrift: number;
+  /** Largest constraint residual of an emitted row. */
+  residual: number;
+}
+
+/** Rows handed over in one piece; about 100 kB for the board. */
+const CHUNK_ROWS = 512;
+
+/** What `columns` of a scenario may ask for; state columns are always there. */
+export const EXTRA_COLUMNS = ['lambda', 'energy', 'residual', 'inputs'] as const;
+
+/**
+ * A run of a scenario, row by row: construct, then call `advance` until `end` is set, taking chunks in between.
+ * It owns no clock and no thread, so that a worker, the command line and a test drive the same code.
+ *
+ * @throws ScenarioError, StartError from the constructor
+ */
+export class Simulation {
+  readonly columns: readonly string[];
+  readonly adjustments: readonly StartAdjustment[];
+  readonly notes: readonly string[];
+  readonly dynamics: ConstrainedSystem;
+  readonly q: Float64Array;
+  readonly v: Float64Array;
+  end: RunEnd | null = null;
+  /** Rows waiting in the chunk. */
+  rows = 0;
+
+  private readonly scenario: Scenario;
+  private readonly system: System;
+  private readonly n: number;
+  private readonly actuation: Actuation;
+  private readonly projection: Projection;
+  private readonly stepper: Stepper;
+  private readonly events: EventFunction[];
+  private readonly eventValues: Float64Array;
+  private chunk: Float64Array[];
+  private readonly a: Float64Array;
+  private readonly lambda: Float64Array;
+  private readonly u: Float64Array;
+  private readonly energies = new Float64Array(2);
+  private readonly sample: Float64Array;
+  private readonly extras: ReadonlySet<string>;
+  private emitted = 0;
+  private startEnergy = 0;
+  private energy = 0;
+  private largestKinetic = 0;
+  private largestResidual = 0;
+
+  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns) {
+    this.scenario = scenario;
+    this.system = system;
+    const { meta } = system;
+    const n = (this.n = meta.coordinates.length);
+    const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
+    const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
+    this.actuation = actuationOf(scenario, meta);
+    const start = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
+    this.adjustments = start.adjustments;
+    this.notes = start.notes;
+    this.q = start.q;
+    this.v = start.v;
+    this.dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, this.actuation.forcing);
+    this.projection = new Projection(this.dynamics);
+    this.a = new Float64Array(n);
+    this.lambda = new Float64Array(this.dynamics.m);
+    this.u = new Float64Array(this.actuation.names.length);
+    this.sample = new Float64Array(2 * n);
+    this.extras = new Set(extras);
+    this.columns = this.columnNames();
+    this.chunk = this.newChunk();
+    this.events = eventsOf(system, this.dynamics, scenario.events);
+    this.eventValues = new Float64Array(this.events.length);
+    this.stepper = this.newStepper();
+    this.begin();
+  }
+
+  get time(): number {
+    return this.stepper.t;
+  }
+
+  get counts(): RunCounts {
+    const { steps, rejected, evaluations } = this.stepper.counters;
+    const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
+    return { steps, rejected, evaluations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
+  }
+
+  /** Steps until the run ends, a chunk is full, or `pause` (asked after every step) says so. */
+  advance(pause: () => boolean): void {
+    while (!this.end && this.rows < CHUNK_ROWS) {
+      this.oneStep();
+      if (pause()) return;
+    }
+  }
+
+  /** Hands over the rows so far, column by column, and starts a new chunk. */
+  takeChunk(): { columns: Float64Array[]; rows: number } {
+    const taken = { columns: this.chunk.map((c) => c.slice(0, this.rows)), rows: this.rows };
+    this.rows = 0;
+    return taken;
+  }
+
+  /** Ends the run from outside, keeping everything computed. */
+  stop(reason: string, message: string): void {
+    this.end ??= { reason, message, time: this.stepper.t };
+  }
+
+  private begin(): void {
+    const { stepper, sample, n } = this;
+    sample.set(this.q);
+    sample.set(this.v, n);
+    stepper.reset(0, sample);
+    this.emit(0, sample);
+    this.events.forEach((event, i) => {
+      const value = event.value(0, this.q, this.v);
+      this.eventValues[i] = value;
+      // Dependent constraints at the very start leave nothing to integrate; a corner below ground may rise.
+      if (event.id === 'constraint-singular' && !(value > 0)) this.stop(event.id, event.message(0));
+    });
+  }
+
+  private oneStep(): void {
+    const { stepper, scenario, n } = this;
+    const failure = stepper.step(scenario.duration);
+    if (failure) return this.stop(failure, failureMessage(failure, stepper.t));
+    const q = stepper.y.subarray(0, n);
+    const v = stepper.y.subarray(n);
+    if (scenario.method.projection && this.dynamics.m > 0) {
+      if (!this.projection.project(stepper.t, q, v)) {
+        const reason = this.dynamics.failure ?? 'constraint-singular';
+        return this.stop(reason, failureMessage(reason, stepper.previousT));
+      }
+      stepper.stateChanged();
+    }
+    const crossing = this.findCrossing(q, v);
+    if (crossing) {
+      this.emitBefore(crossing.time);
+      stepper.interpolate(crossing.time, this.sample);
+      this.emit(crossing.time, this.sample);
+      this.end = { reason: crossing.event.id, message: crossing.event.message(crossing.time), time: crossing.time };
+      return;
+    }
+    this.emitBefore(stepper.t);
+    if (stepper.t < scenario.duration) return;
+    this.sample.set(stepper.y);
+    this.emit(stepper.t, this.sample);
+    this.stop('end', `ran to t = ${scenario.duration} s`);
+  }
+
+  /** Emits the rows due before a time of the last step; the run's last row is emitted by its end. */
+  private emitBefore(time: number): void {
+    const { outputStep } = this.scenario;
+    // A row closer than this to the end of the run or to an event would only repeat it.
+    const last = time - 1e-9 * outputStep;
+    for (let next = this.emitted * outputStep; next < last; next = this.emitted * outputStep) {
+      this.stepper.interpolate(next, this.sample);
+      this.emit(next, this.sample);
+    }
+  }
+
+  /** The earliest downward crossing in the last step, whose end state (projected) is q, v. */
+  private findCrossing(q: Float64Array, v: Float64Array): { event: EventFunction; time: number } | null {
+    const { stepper, events, n } = this;
+    let first: { event: EventFunction; time: number } | null = null;
+    for (let e = 0; e < events.length; e++) {
+      const event = events[e]!;
+      let low = stepper.previousT;
+      let lowValue = this.eventValues[e]!;
+      for (let look = 1; look <= event.looks; look++) {
+        const final = look === event.looks;
+        const high = final ? stepper.t : stepper.previousT + ((stepper.t - stepper.previousT) * look) / event.looks;
+        if (!final) stepper.interpolate(high, this.sample);
+        const value = final ? event.value(high, q, v) : event.value(high, this.sample.subarray(0, n), this.sample.subarray(n));
+        if (lowValue > 0 && !(value > 0)) {
+          const time = this.bisect(event, low, high);
+          if (!first || time < first.time) first = { event, time };
+          break;
+        }
+        low = high;
+        lowValue = value;
+      }
+      this.eventValues[e] = lowValue;
+    }
+    return first;
+  }
+
+  /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */
+  private bisect(event: EventFunction, low: number, high: number): number {
+    const q = this.sample.subarray(0, this.n);
+    const v = this.sample.subarray(this.n);
+    for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+      this.stepper.interpolate(middle, this.sample);
+      if (this.scenario.method.projection) this.projection.project(middle, q, v);
+      if (event.value(middle, q, v) > 0) low = middle;
+      else high = middle;
+    }
+    return high;
+  }
+
+  /** One row: the state, projected if projection is on, and what is derived from it. */
+  private emit(time: number, state: Float64Array): void {
+    const { n, extras, chunk, dynamics } = this;
+    const q = state.subarray(0, n);
+    const v = state.subarray(n);
+    if (this.scenario.method.projection) this.projection.project(time, q, v);
+    if (this.rows >= chunk[0]!.length) this.grow();
+    const row = this.rows++;
+    let c = 0;
+    this.chunk[c++]![row] = time;
+    for (let i = 0; i < 2 * n; i++) this.chunk[c++]![row] = state[i]!;
+    if (extras.has('lambda')) {
+      if (!dynamics.acceleration(time, q, v, this.a, this.lambda)) this.lambda.fill(NaN);
+      for (let r = 0; r < dynamics.m; r++) this.chunk[c++]![row] = this.lambda[r]!;
+    }
+    this.system.energy(q, v, dynamics.parameters, this.energies);
+    this.energy = this.energies[0]! + this.energies[1]!;
+    if (time === 0) this.startEnergy = this.energy;
+    this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
+    const residual = this.projection.residual(q, v);
+    this.largestResidual = Math.max(this.largestResidual, residual);
+    if (extras.has('energy')) this.chunk[c++]![row] = this.energy;
+    if (extras.has('residual')) this.chunk[c++]![row] = residual;
+    if (extras.has('inputs')) {
+      this.actuation.values(time, q, v, this.u);
+      for (let i = 0; i < this.u.length; i++) this.chunk[c++]![row] = this.u[i]!;
+    }
+    this.emitted++;
+  }
+
+  private columnNames(): string[] {
+    const names = this.system.meta.coordinates.map((c) => c.name);
+    const list = ['t', ...names, ...names.map((name) => `${name}_dot`)];
+    if (this.extras.has('lambda')) for (let r = 1; r <= this.dynamics.m; r++) list.push(`lambda_${r}`);
+    if (this.extras.has('energy')) list.push('energy');
+    if (this.extras.has('residual')) list.push('residual');
+    if (this.extras.has('inputs')) list.push(...this.actuation.names);
+    return list;
+  }
+
+  private newChunk(): Float64Array[] {
+    return this.columns.map(() => new Float64Array(CHUNK_ROWS));
+  }
+
+  private grow(): void {
+    this.chunk = this.chunk.map((old) => {
+      const grown = new Float64Array(2 * old.length);
+      grown.set(old);
+      return grown;
+    });
+  }
+
+  private newStepper(): Stepper {
+    const { method } = this.scenario;
+    const info = methodNamed(method.name);
+    if (!info) throw new ScenarioError('method.name', `"${method.name}" is not available; right would be ${methods.map((m) => m.id).join(', ')}`);
+    if (!formulations.some((f) => f.id === method.formulation)) {
+      throw new ScenarioError('method.formulation', `"${method.formulation}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
+    }
+    const { n, dynamics, a, lambda } = this;
+    const problem: OdeProblem = {
+      dimension: 2 * n,
+      derivative(t, y, out) {
+        const v = y.subarray(n);
+        if (!dynamics.acceleration(t, y.subarray(0, n), v, a, lambda)) return false;
+        out.set(v);
+        out.set(a, n);
+        return true;
+      },
+      get failure() {
+        return dynamics.failure;
+      },
+    };
+    return info.create(problem, method);
+  }
+}
+
+function failureMessage(reason: string, t: number): string {
+  const at = `at t = ${t.toFixed(3)} s`;
+  const known: Record<string, string> = {
+    'step-too-small': `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method`,
+    'non-finite': `the equations gave a number that is not finite ${at}: check parameters and inputs`,
+    'constraint-singular': `the constraints became dependent ${at} (a skate lies flat)`,
+    'mass-matrix-singular': `the mass matrix became singular ${at}: give every body a mass and inertia`,
+  };
+  return `${reason}: ${known[reason] ?? `the method stopped ${at}`}`;
+}

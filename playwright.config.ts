@@ -1,0 +1,52 @@
+// The browser tests run on the built page, served from a sub-path. `npm test -- browser` builds it and finds a browser.
+import { defineConfig } from '@playwright/test';
+
+const port = Number(process.env.RIPSTIK_TEST_PORT ?? 4199);
+const address = `http://127.0.0.1:${port}/lab/`;
+
+// SwiftShader draws without a GPU and bit-identically from run to run. RIPSTIK_GL=mesa takes Mesa's llvmpipe instead,
+// two to four times as fast where it is installed.
+const gl =
+  process.env.RIPSTIK_GL === 'mesa'
+    ? ['--use-angle=gl-egl', '--ignore-gpu-blocklist']
+    : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+export default defineConfig({
+  testDir: 'tests/e2e',
+  outputDir: '.cache/browser-results',
+  workers: 1,
+  retries: process.env.CI ? 1 : 0,
+  forbidOnly: Boolean(process.env.CI),
+  timeout: 180_000, // software WebGL on two cores; no test asserts a time
+  expect: { timeout: 30_000 },
+  reporter: [['list'], ['json', { outputFile: '.cache/browser.json' }]],
+  use: {
+    baseURL: address,
+    viewport: { width: 1000, height: 640 },
+    deviceScaleFactor: 1,
+    locale: 'en-US',
+    timezoneId: 'UTC',
+    contextOptions: { reducedMotion: 'reduce' },
+    launchOptions: {
+      // Empty: the browser that Playwright manages. It adds --no-sandbox itself.
+      executablePath: process.env.RIPSTIK_BROWSER || undefined,
+      env: { ...(process.env as Record<string, string>), LIBGL_ALWAYS_SOFTWARE: '1' },
+      args: [
+        ...gl,
+        '--force-color-profile=srgb',
+        '--font-render-hinting=none',
+        // Quiet on a closed network.
+        '--disable-quic',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-domain-reliability',
+        '--no-first-run',
+      ],
+    },
+  },
+  webServer: {
+    command: `node scripts/serve-dist.mjs --port ${port} --base /lab/`,
+    url: address,
+    reuseExistingServer: false,
+  },
+});

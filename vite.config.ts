@@ -1,0 +1,18 @@
+import { readFileSync } from 'node:fs';
+import { defineConfig } from 'vitest/config';
+
+const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
+
+export default defineConfig({
+  base: './', // the built page works from any sub-path of any host
+  define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
+  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500 },
+  worker: { format: 'es' },
+  test: {
+    include: ['tests/**/*.test.{ts,tsx}'], // tests/e2e holds *.spec.ts, for Playwright
+    environment: 'node',
+    testTimeout: 120_000, // no test asserts a time; this one only ends a test that hangs
+    hookTimeout: 120_000,
+  },
+});

@@ -49,6 +49,8 @@ export interface Motion {
   /** Multipliers are forces under this set (for the force arrows); null for files without. */
   constraints: string | null;
   scenario: Scenario | null;
+  /** The scenario as the person wrote it; what an export carries. */
+  written: ScenarioFile | null;
   adjustments: readonly Adjustment[];
   issues: readonly FileIssue[];
   /** Event marks on the time line. */
@@ -98,6 +100,8 @@ export interface AppState {
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
+  /** Meshes the person dropped, by body; a missing half is the generated one. */
+  meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
 }
 
 export interface AppActions {

@@ -25,7 +25,7 @@ export interface RunCounts {
   residual: number;
 }
 
-/** Rows handed over in one piece; about 100 kB for the board. */
+/** Rows that a chunk starts with room for; it grows when a long step brings more. */
 const CHUNK_ROWS = 512;
 
 /** What `columns` of a scenario may ask for; state columns are always there. */
@@ -107,9 +107,9 @@ export class Simulation {
     return { steps, rejected, evaluations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
   }
 
-  /** Steps until the run ends, a chunk is full, or `pause` (asked after every step) says so. */
+  /** Steps until the run ends or `pause` (asked after every step) says so. */
   advance(pause: () => boolean): void {
-    while (!this.end && this.rows < CHUNK_ROWS) {
+    while (!this.end) {
       this.oneStep();
       if (pause()) return;
     }

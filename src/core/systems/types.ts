@@ -98,6 +98,20 @@ export interface SystemView {
   meta: SystemMeta;
   /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
   poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
+  contacts: readonly TrackedContact[];
+}
+
+export interface TrackedContact {
+  body: number;
+  part: 'front' | 'back';
+  /** Name of the parameter that is the wheel's radius (m). */
+  radius: string;
+  /** Index of the multiplier that is the force along the axle, or (by constraint set) along world Y, and of the vertical one. */
+  lateral: number;
+  vertical: number;
+  /** Constraint sets whose lateral row acts along world Y instead of the axle. */
+  worldLateral: readonly string[];
 }
 
 export interface System extends SystemView {

@@ -1,0 +1,55 @@
+import type { CsvReply, CsvRequest } from '../io/csv.worker.ts';
+import type { CsvResult } from '../io/csv.ts';
+import type { SystemMeta } from '../core/systems/types.ts';
+
+type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
+
+/** CSV reading and writing in a worker of its own, opened when first needed. */
+export class CsvClient {
+  private readonly create: () => Worker;
+  private worker: Worker | null = null;
+  private next = 1;
+  private readonly waiting = new Map<number, { resolve: (reply: CsvReply) => void; reject: (error: Error) => void }>();
+
+  constructor(create: () => Worker) {
+    this.create = create;
+  }
+
+  async read(text: string, systems: Readonly<Record<string, SystemMeta>>, timeStep?: number): Promise<CsvResult> {
+    const reply = await this.ask({ type: 'read', text, systems, ...(timeStep === undefined ? {} : { timeStep }) });
+    if (reply.type !== 'read') throw new Error('the reader answered out of turn');
+    return reply.result;
+  }
+
+  async write(columns: string[], data: Float64Array[], comments: string[]): Promise<string> {
+    const reply = await this.ask({ type: 'write', columns, data, comments });
+    if (reply.type !== 'written') throw new Error('the writer answered out of turn');
+    return reply.text;
+  }
+
+  private ask(request: WithoutId<CsvRequest>): Promise<CsvReply> {
+    const id = this.next++;
+    this.worker ??= this.open();
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+      this.worker!.postMessage({ ...request, id });
+    });
+  }
+
+  private open(): Worker {
+    const worker = this.create();
+    worker.addEventListener('message', ({ data }: MessageEvent<CsvReply>) => {
+      const waiting = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if (data.type === 'failed') waiting?.reject(new Error(data.message));
+      else waiting?.resolve(data);
+    });
+    worker.addEventListener('error', (event) => {
+      worker.terminate();
+      this.worker = null;
+      for (const { reject } of this.waiting.values()) reject(new Error(`the file reader stopped unexpectedly${event.message ? ` (${event.message})` : ''}`));
+      this.waiting.clear();
+    });
+    return worker;
+  }
+}

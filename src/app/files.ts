@@ -1,0 +1,164 @@
+import { parseScenario } from '../core/scenario/schema.ts';
+import type { SystemMeta } from '../core/systems/types.ts';
+import { systemViews } from '../core/systems/views.ts';
+import { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { ScenarioFile } from '../core/scenario/types.ts';
+import type { CsvResult } from '../io/csv.ts';
+import type { CsvClient } from './csvClient.ts';
+import type { Messages } from './messages.ts';
+import type { AppState, Motion, SampleInfo } from './types.ts';
+
+interface Context {
+  state: AppState;
+  csv: CsvClient;
+  messages: Messages;
+  metas: Readonly<Record<string, SystemMeta>>;
+  show(motion: Omit<Motion, 'id'>): void;
+  runDraft(): void;
+}
+
+/** Larger files are refused by name and size: text of this length is the most a browser string comfortably holds. */
+const LARGEST_FILE = 400e6;
+
+/** Bodies whose mesh can be replaced by a dropped pair. */
+const MESH_NAMES = ['rod', 'front-plate', 'back-plate', 'caster'];
+
+/** Opens dropped and chosen files; whatever is wrong with one leaves what is on the stage untouched. */
+export class FileOpener {
+  private readonly context: Context;
+  private waiting: { name: string; text: string } | null = null;
+
+  constructor(context: Context) {
+    this.context = context;
+  }
+
+  async open(files: readonly File[]): Promise<void> {
+    const meshes = files.filter((f) => /\.(mdl|mat)$/i.test(f.name));
+    if (meshes.length > 0) await this.openMeshes(meshes);
+    for (const file of files.filter((f) => !meshes.includes(f))) await this.openOne(file);
+  }
+
+  async openSample(id: string, samples: readonly SampleInfo[]): Promise<void> {
+    const sample = samples.find((s) => s.id === id);
+    if (!sample) return;
+    try {
+      const response = await fetch(sample.url);
+      if (!response.ok) throw new Error(`the server answered ${response.status}`);
+      await this.readMotion(sample.title, await response.text());
+    } catch (error) {
+      this.fail(sample.title, [messageOf(error)]);
+    }
+  }
+
+  answerTimeStep(step: number | null): void {
+    const { waiting, context } = this;
+    this.waiting = null;
+    context.state.pendingFile.value = null;
+    if (waiting && step !== null) void this.readMotion(waiting.name, waiting.text, step);
+  }
+
+  private async openOne(file: File): Promise<void> {
+    if (file.size > LARGEST_FILE) {
+      this.fail(file.name, [`${(file.size / 1e6).toFixed(0)} MB is more than the ${LARGEST_FILE / 1e6} MB this page reads; export fewer rows or columns`]);
+      return;
+    }
+    try {
+      const text = await file.text();
+      if (/\.json$/i.test(file.name) || (/^\s*\{/.test(text.slice(0, 200)) && !/\.(csv|txt|tsv)$/i.test(file.name))) this.readScenario(file.name, text);
+      else await this.readMotion(file.name, text);
+    } catch (error) {
+      this.fail(file.name, [messageOf(error)]);
+    }
+  }
+
+  private readScenario(name: string, text: string): void {
+    parseScenario(text, this.context.metas);
+    this.context.state.draft.value = JSON.parse(text) as ScenarioFile;
+    this.context.messages.add('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
+    this.context.runDraft();
+  }
+
+  private async readMotion(name: string, text: string, timeStep?: number): Promise<void> {
+    const result = await this.context.csv.read(text, this.context.metas, timeStep);
+    if (result.kind === 'needs-time-step') {
+      this.waiting = { name, text };
+      this.context.state.pendingFile.value = { name, offeredStep: result.offeredStep };
+      return;
+    }
+    if (result.kind === 'unusable') {
+      this.fail(name, [...result.issues.slice(0, 8).map(describe), ...(result.issues.length > 8 ? [`… and ${result.issues.length - 8} more`] : [])]);
+      return;
+    }
+    this.showMotion(name, result);
+  }
+
+  private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>): void {
+    const { state, messages } = this.context;
+    const system = systemViews[result.systemId]!;
+    const trajectory = new Trajectory(result.columns, Math.max(1, result.rows));
+    trajectory.append(result.data, result.rows);
+    const scenario = this.scenarioIn(result);
+    const draftParameters = state.motion.peek()?.parameters;
+    const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
+    const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));
+    this.context.show({
+      source: 'file',
+      title: name,
+      system,
+      // A file that names its scenario is drawn with its proportions; another with those on the stage.
+      parameters: scenario?.parameters ?? draftParameters ?? defaults,
+      trajectory,
+      constraints: scenario?.constraints ?? null,
+      scenario,
+      written: scenario ? (result.scenario as ScenarioFile) : null,
+      adjustments: [],
+      issues: [...notes, ...result.issues],
+      marks: [],
+    });
+    if (result.skippedRows > 0) {
+      messages.add('warning', `${name}: ${result.skippedRows} of ${result.rows + result.skippedRows} rows could not be used`, [
+        ...result.issues.slice(0, 3).map(describe),
+        'The rest plays; every row is listed with the file.',
+      ]);
+    }
+  }
+
+  private scenarioIn(result: Extract<CsvResult, { kind: 'motion' }>) {
+    if (result.scenario === null) return null;
+    try {
+      return parseScenario(JSON.stringify(result.scenario), this.context.metas);
+    } catch {
+      // A comment is no promise: the numbers play without it.
+      return null;
+    }
+  }
+
+  /** Pairs by base name; a lone half joins the half that is already in place. */
+  private async openMeshes(files: readonly File[]): Promise<void> {
+    const { state, messages } = this.context;
+    const next = new Map(state.meshes.peek());
+    for (const file of files) {
+      const [, base = '', ending = ''] = /^(.*)\.(mdl|mat)$/i.exec(file.name.toLowerCase()) ?? [];
+      if (!MESH_NAMES.includes(base)) {
+        this.fail(file.name, [`no body has that name; right would be ${MESH_NAMES.map((n) => `${n}.mdl with ${n}.mat`).join(', ')}`]);
+        continue;
+      }
+      next.set(base, { ...next.get(base), [ending === 'mdl' ? 'mdl' : 'mat']: await file.text() });
+      messages.add('info', `Opened ${file.name}`, [`It replaces the ${base.replace('-', ' ')}.`]);
+    }
+    state.meshes.value = next;
+  }
+
+  private fail(name: string, details: readonly string[]): void {
+    this.context.messages.add('error', `${name} could not be opened`, [...details, 'What was on the stage is still there.']);
+  }
+}
+
+function describe(issue: { line: number; column: string; message: string }): string {
+  const place = [issue.line > 0 ? `line ${issue.line}` : '', issue.column ? `column ${issue.column}` : ''].filter(Boolean).join(', ');
+  return place ? `${place}: ${issue.message}` : issue.message;
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

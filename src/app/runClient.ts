@@ -1,0 +1,77 @@
+import type { StartAdjustment } from '../core/dynamics/consistentStart.ts';
+import type { Scenario } from '../core/scenario/types.ts';
+import type { RunCounts, RunEnd } from '../core/simulation/simulation.ts';
+import type { FromWorker, ToWorker } from '../worker/protocol.ts';
+
+export interface RunHandlers {
+  started(columns: string[], adjustments: StartAdjustment[], notes: string[]): void;
+  rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts): void;
+  ended(end: RunEnd, counts: RunCounts): void;
+  refused(path: string, message: string): void;
+}
+
+/** The page's end of the worker: one run at a time; what an older run still sends is dropped. */
+export class RunClient {
+  private readonly create: () => Worker;
+  private worker: Worker | null = null;
+  private run = 0;
+  private handlers: RunHandlers | null = null;
+
+  constructor(create: () => Worker) {
+    this.create = create;
+  }
+
+  start(scenario: Scenario, handlers: RunHandlers): void {
+    this.handlers = handlers;
+    this.run++;
+    this.send({ type: 'start', run: this.run, scenario });
+  }
+
+  /** Asks the current run to stop; its `ended` follows with reason `cancelled`. */
+  cancel(): void {
+    if (this.handlers) this.send({ type: 'cancel', run: this.run });
+  }
+
+  /** Forgets the current run: nothing of it is heard any more. */
+  abandon(): void {
+    this.cancel();
+    this.handlers = null;
+    this.run++;
+  }
+
+  private send(message: ToWorker): void {
+    this.worker ??= this.open();
+    this.worker.postMessage(message);
+  }
+
+  private open(): Worker {
+    const worker = this.create();
+    worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => this.receive(data));
+    worker.addEventListener('error', (event) => {
+      // A worker that died cannot be asked again; the next run gets a new one, and what came so far stays.
+      worker.terminate();
+      this.worker = null;
+      const handlers = this.handlers;
+      this.handlers = null;
+      handlers?.refused('', `the computation stopped unexpectedly${event.message ? ` (${event.message})` : ''}; rows computed so far are kept, run again to retry`);
+    });
+    return worker;
+  }
+
+  private receive(message: FromWorker): void {
+    const handlers = this.handlers;
+    if (!handlers || message.run !== this.run) return;
+    switch (message.type) {
+      case 'started':
+        return handlers.started(message.columns, message.adjustments, message.notes);
+      case 'rows':
+        return handlers.rows(message.columns, message.rows, message.time, message.counts);
+      case 'ended':
+        this.handlers = null;
+        return handlers.ended(message.end, message.counts);
+      case 'refused':
+        this.handlers = null;
+        return handlers.refused(message.path, message.message);
+    }
+  }
+}

@@ -1,0 +1,228 @@
+import { computed, signal } from '@preact/signals';
+import { cases } from '../core/cases/cases.ts';
+import { checkScenario, collectScenarioErrors } from '../core/scenario/schema.ts';
+import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
+import type { RunCounts } from '../core/simulation/simulation.ts';
+import { systemViews } from '../core/systems/views.ts';
+import { Trajectory } from '../core/trajectory/trajectory.ts';
+import { CsvClient } from './csvClient.ts';
+import { download } from './download.ts';
+import { FileOpener } from './files.ts';
+import { Messages } from './messages.ts';
+import { runPlaybackClock } from './playbackClock.ts';
+import { RunClient } from './runClient.ts';
+import { samples } from './samples.ts';
+import type { App, AppActions, AppState, Motion } from './types.ts';
+
+export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
+
+/** Where workers come from: the page makes real ones. */
+export interface Workers {
+  run(): Worker;
+  csv(): Worker;
+}
+
+/** The application: state as signals, and the only code that changes it. */
+export function createApp(workers: Workers, prefersDark: boolean): App {
+  const state = initialState(prefersDark);
+  const messages = new Messages(state.messages);
+  const client = new RunClient(() => workers.run());
+  const csv = new CsvClient(() => workers.csv());
+  const runs = new Runs(state, client, messages);
+  const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
+  let origin: ScenarioFile = state.draft.peek();
+
+  runPlaybackClock(state, {
+    start: () => state.motion.peek()?.trajectory.start ?? 0,
+    end: () => state.motion.peek()?.trajectory.end ?? 0,
+    growing: () => state.run.peek()?.kind === 'computing',
+  });
+
+  const actions: AppActions = {
+    run: () => runs.run(),
+    cancel: () => client.cancel(),
+    reset: () => void (state.draft.value = origin),
+    loadCase(id) {
+      const found = cases.find((c) => c.id === id);
+      if (!found) return;
+      origin = found.scenario;
+      state.draft.value = found.scenario;
+      runs.run();
+    },
+    openFiles: (list) => void files.open(list),
+    openSample: (id) => void files.openSample(id, samples),
+    answerTimeStep: (step) => files.answerTimeStep(step),
+    exportCsv: () => void exportCsv(state, csv, messages),
+    saveScenario: () => download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
+    play: () => play(state),
+    pause: () => void (state.playing.value = false),
+    toggle: () => (state.playing.peek() ? actions.pause() : actions.play()),
+    seek: (time) => void (state.time.value = clampTime(state, time)),
+    stepRows: (rows) => stepRows(state, rows),
+    dismiss: (id) => messages.dismiss(id),
+  };
+  return {
+    state,
+    actions,
+    cases: cases.map(({ id, title, look, scenario }) => ({ id, title, summary: look, scenario })),
+    samples,
+    systemOf: (id) => systemViews[id],
+  };
+}
+
+function initialState(prefersDark: boolean): AppState {
+  const draft = signal<ScenarioFile>(cases[0]!.scenario);
+  return {
+    draft,
+    draftErrors: computed(() => collectScenarioErrors(draft.value, systemMetas)),
+    motion: signal(null),
+    rowsVersion: signal(0),
+    run: signal(null),
+    statistics: signal(null),
+    time: signal(0),
+    playing: signal(false),
+    speed: signal(1),
+    heldSpeed: signal(null),
+    loop: signal(false),
+    view: signal('orbit'),
+    follow: signal(true),
+    showTrails: signal(true),
+    showForces: signal(false),
+    theme: signal(prefersDark ? 'dark' : 'light'),
+    messages: signal([]),
+    pendingFile: signal(null),
+    meshes: signal(new Map()),
+  };
+}
+
+function clampTime(state: AppState, time: number): number {
+  const trajectory = state.motion.peek()?.trajectory;
+  return trajectory ? Math.min(Math.max(time, trajectory.start), trajectory.end) : 0;
+}
+
+function play(state: AppState): void {
+  const trajectory = state.motion.peek()?.trajectory;
+  if (!trajectory) return;
+  // Play at the end starts over, as every player does; while rows still come, it waits for them.
+  if (state.time.peek() >= trajectory.end && state.run.peek()?.kind !== 'computing') state.time.value = trajectory.start;
+  state.playing.value = true;
+}
+
+function stepRows(state: AppState, rows: number): void {
+  const trajectory = state.motion.peek()?.trajectory;
+  if (!trajectory || trajectory.length === 0) return;
+  state.playing.value = false;
+  const t = trajectory.column('t')!;
+  const here = trajectory.locate(state.time.peek());
+  // From between two rows, a step back goes to the row before, a step forward to the one after.
+  const nearest = state.time.peek() >= t[Math.min(here + 1, t.length - 1)]! ? here + 1 : here;
+  const between = rows < 0 && state.time.peek() > t[nearest]! ? 1 : 0;
+  state.time.value = t[Math.min(Math.max(nearest + rows + between, 0), t.length - 1)]!;
+}
+
+async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): Promise<void> {
+  const motion = state.motion.peek();
+  if (!motion || motion.trajectory.length === 0) {
+    messages.add('warning', 'Nothing to export', ['Run a scenario or open a file first.']);
+    return;
+  }
+  const { trajectory } = motion;
+  const columns = [...trajectory.columns];
+  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`] : [];
+  const text = await csv.write(columns, columns.map((name) => trajectory.column(name)!.slice()), comments);
+  download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, [text], 'text/csv');
+}
+
+/** Starts runs and turns what the worker sends into the motion being watched. */
+class Runs {
+  private nextMotion = 1;
+  private readonly state: AppState;
+  private readonly client: RunClient;
+  private readonly messages: Messages;
+
+  constructor(state: AppState, client: RunClient, messages: Messages) {
+    this.state = state;
+    this.client = client;
+    this.messages = messages;
+  }
+
+  /** Puts another motion (a file) in place; a run still computing is abandoned. */
+  show(motion: Omit<Motion, 'id'>): void {
+    this.client.abandon();
+    const { state } = this;
+    state.run.value = null;
+    state.statistics.value = null;
+    state.time.value = motion.trajectory.start;
+    state.motion.value = { ...motion, id: this.nextMotion++ };
+    state.rowsVersion.value++;
+    state.playing.value = true;
+  }
+
+  /** Runs the draft; a refusal leaves everything as it was. */
+  run(): void {
+    const { state, messages } = this;
+    const draft = state.draft.peek();
+    let scenario;
+    try {
+      scenario = checkScenario(draft, systemMetas);
+    } catch (error) {
+      if (!(error instanceof ScenarioError)) throw error;
+      messages.add('error', 'The scenario cannot run', [error.message]);
+      return;
+    }
+    const title = cases.find((c) => c.scenario === draft)?.title ?? 'Run';
+    let motion: Motion | null = null;
+    this.client.start(scenario, {
+      started: (columns, adjustments, notes) => {
+        motion = {
+          id: this.nextMotion++,
+          source: 'run',
+          title,
+          system: systemViews[scenario.system]!,
+          parameters: scenario.parameters,
+          trajectory: new Trajectory(columns),
+          constraints: scenario.constraints,
+          scenario,
+          written: draft,
+          adjustments,
+          issues: [],
+          marks: [],
+        };
+        if (notes.length > 0) messages.add('info', 'About the start', notes);
+        state.run.value = { kind: 'computing', progress: 0 };
+      },
+      rows: (columns, rows, time, counts) => {
+        motion!.trajectory.append(columns, rows);
+        this.adopt(motion!);
+        state.rowsVersion.value++;
+        this.count(counts);
+        if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+      },
+      ended: (end, counts) => {
+        this.count(counts);
+        state.run.value = { kind: 'ended', reason: end.reason, message: end.message, time: end.time };
+        if (end.reason !== 'end' && end.reason !== 'cancelled') {
+          state.motion.value = { ...motion!, marks: [{ time: end.time, name: end.reason }] };
+        }
+      },
+      refused: (path, message) => {
+        messages.add('error', 'The run could not go on', [path && !message.startsWith(path) ? `${path}: ${message}` : message]);
+        if (state.motion.peek() === motion && motion) state.run.value = { kind: 'ended', reason: 'failed', message, time: motion.trajectory.end };
+        else state.run.value = null;
+      },
+    });
+  }
+
+  /** The new motion takes the stage with its first rows, never empty: there is no stale or blank frame between. */
+  private adopt(motion: Motion): void {
+    const { state } = this;
+    if (state.motion.peek()?.id === motion.id) return;
+    state.time.value = 0;
+    state.motion.value = motion;
+    state.playing.value = true;
+  }
+
+  private count(counts: RunCounts): void {
+    this.state.statistics.value = counts;
+  }
+}

@@ -1,0 +1,97 @@
+import { readFileSync } from 'node:fs';
+import { isAbsolute, resolve } from 'node:path';
+import { StartError } from '../core/dynamics/consistentStart.ts';
+import { cases } from '../core/cases/cases.ts';
+import { parseScenario } from '../core/scenario/schema.ts';
+import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
+import { systems } from '../core/systems/registry.ts';
+import { point } from './point.ts';
+import { simulate } from './simulate.ts';
+
+const USAGE = `Usage:
+  npm run --silent ripstik -- simulate SCENARIO.json --out RUN.csv   run a scenario (without --out: CSV on standard output)
+  npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
+  npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
+SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
+
+/** A call that can't be carried out, said in one line. */
+export class UsageError extends Error {}
+
+const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
+
+/** Paths mean what they mean where the person typed them, not in the package's own folder. */
+export function pathOf(name: string): string {
+  return isAbsolute(name) ? name : resolve(process.env['INIT_CWD'] ?? process.cwd(), name);
+}
+
+function readScenario(name: string | undefined): Scenario {
+  if (!name) throw new UsageError('which scenario? Name a JSON file');
+  let text: string;
+  try {
+    text = readFileSync(name === '-' ? 0 : pathOf(name), 'utf8');
+  } catch (error) {
+    throw new UsageError(`${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`);
+  }
+  return parseScenario(text, metas);
+}
+
+function listCases(id: string | undefined): void {
+  if (id === undefined) return print(cases);
+  const found = cases.find((c) => c.id === id);
+  if (!found) throw new UsageError(`no case "${id}"; there are ${cases.map((c) => c.id).join(', ')}`);
+  print(found.scenario);
+}
+
+function print(value: unknown): void {
+  process.stdout.write(`${JSON.stringify(value, null, 2)}\n`);
+}
+
+function takeOption(rest: string[], name: string): string | undefined {
+  const at = rest.indexOf(name);
+  if (at < 0) return undefined;
+  const [, value] = rest.splice(at, 2);
+  if (!value) throw new UsageError(`${name} needs a value`);
+  return value;
+}
+
+function main(args: readonly string[]): number {
+  const [command, ...rest] = args;
+  const out = takeOption(rest, '--out');
+  const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
+  if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
+  switch (command) {
+    case 'simulate': {
+      const scenario = readScenario(rest[0]);
+      return simulate(scenario, systems[scenario.system]!, out);
+    }
+    case 'point': {
+      const scenario = readScenario(rest[0]);
+      print(point(scenario, systems[scenario.system]!));
+      return 0;
+    }
+    case 'cases':
+      listCases(rest[0]);
+      return 0;
+    case undefined:
+    case 'help':
+      process.stdout.write(`${USAGE}\n`);
+      return command === undefined ? 2 : 0;
+    default:
+      throw new UsageError(`no command "${command}"; there are simulate, point and cases`);
+  }
+}
+
+/** What a person can mend is one line and status 2; anything else is our fault and shows its trace. */
+function run(): number {
+  const args = process.argv.slice(2);
+  if (args[0] === '--help' || args[0] === '-h') return main(['help']);
+  try {
+    return main(args);
+  } catch (error) {
+    if (!(error instanceof ScenarioError || error instanceof StartError || error instanceof UsageError)) throw error;
+    process.stderr.write(`ripstik: ${error.message.replace(/\s*\n\s*/g, ' ')}\n`);
+    return 2;
+  }
+}
+
+process.exitCode = run();

@@ -1,0 +1,182 @@
+import type { SystemView } from '../systems/types.ts';
+import { matrixOf, quaternionOf, slerp } from './attitude.ts';
+import type { Trajectory } from './trajectory.ts';
+
+/** Multipliers at a moment as forces on the ground contacts, N in world axes. */
+export interface ContactForce {
+  part: 'front' | 'back';
+  kind: 'lateral' | 'vertical';
+  origin: [number, number, number];
+  vector: [number, number, number];
+}
+
+/** Ground track of one contact: rows so far, 3 floats each. */
+export interface ContactTrack {
+  part: 'front' | 'back';
+  points: Float32Array;
+  times: Float64Array;
+  count: number;
+}
+
+/**
+ * A trajectory between its rows: positions interpolated linearly, attitudes on the shorter arc (so that a
+ * recorded angle that jumps by a full turn makes no body spin), wheel angles from the distance rolled,
+ * and the tracks of the ground contacts. Follows a trajectory that still grows.
+ */
+export class MotionSampler {
+  readonly poses: Float64Array;
+  readonly wheelAngles: Float64Array;
+  private readonly view: SystemView;
+  private readonly parameters: Float64Array;
+  private readonly trajectory: Trajectory;
+  private readonly constraints: string | null;
+  private readonly q: Float64Array;
+  private readonly before: Float64Array;
+  private readonly after: Float64Array;
+  private readonly quaternions = [new Float64Array(4), new Float64Array(4), new Float64Array(4)] as const;
+  private readonly tracksByContact: ContactTrack[];
+  private readonly radii: Float64Array;
+  /** Angle rolled at each row, per contact. */
+  private rolled: Float64Array[];
+  private tracked = 0;
+
+  constructor(view: SystemView, parameters: Readonly<Record<string, number>>, trajectory: Trajectory, constraints: string | null) {
+    const size = 12 * view.meta.bodies.length;
+    this.view = view;
+    this.parameters = Float64Array.from(view.meta.parameters, (p) => parameters[p.name] ?? p.default);
+    this.trajectory = trajectory;
+    this.constraints = constraints;
+    this.q = new Float64Array(view.meta.coordinates.length);
+    this.poses = new Float64Array(size);
+    this.before = new Float64Array(size);
+    this.after = new Float64Array(size);
+    this.wheelAngles = new Float64Array(view.contacts.length);
+    this.radii = Float64Array.from(view.contacts, (c) => parameters[c.radius] ?? 0);
+    this.tracksByContact = view.contacts.map((c) => ({ part: c.part, points: new Float32Array(0), times: new Float64Array(0), count: 0 }));
+    this.rolled = view.contacts.map(() => new Float64Array(0));
+  }
+
+  /** Puts `poses` and `wheelAngles` at a time, clamped to the rows there are. False when there is none. */
+  sample(time: number): boolean {
+    const { trajectory } = this;
+    if (trajectory.length === 0) return false;
+    this.follow();
+    const row = trajectory.locate(time);
+    const t = trajectory.column('t')!;
+    const next = Math.min(row + 1, trajectory.length - 1);
+    const span = t[next]! - t[row]!;
+    const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
+    this.posesAt(row, this.before);
+    this.posesAt(next, this.after);
+    this.blend(share);
+    this.rolled.forEach((angles, c) => (this.wheelAngles[c] = angles[row]! + share * (angles[next]! - angles[row]!)));
+    return true;
+  }
+
+  /** Tracks of the contacts over all rows so far; the arrays are replaced when they grow. */
+  tracks(): readonly ContactTrack[] {
+    this.follow();
+    return this.tracksByContact;
+  }
+
+  /** Constraint forces at a time, after `sample(time)`; empty where the multipliers are not known. */
+  forces(time: number): ContactForce[] {
+    const { trajectory, poses } = this;
+    const list: ContactForce[] = [];
+    if (!this.constraints || this.constraints === 'none' || trajectory.length === 0) return list;
+    for (const contact of this.view.contacts) {
+      const o = 12 * contact.body;
+      const origin: [number, number, number] = [poses[o]!, poses[o + 1]!, poses[o + 2]!];
+      const lateral = this.interpolated(`lambda_${contact.lateral + 1}`, time);
+      const vertical = this.interpolated(`lambda_${contact.vertical + 1}`, time);
+      if (lateral === null || vertical === null) continue;
+      const axle: [number, number, number] = contact.worldLateral.includes(this.constraints)
+        ? [0, 1, 0]
+        : [poses[o + 4]!, poses[o + 7]!, poses[o + 10]!];
+      list.push({ part: contact.part, kind: 'lateral', origin, vector: [axle[0] * lateral, axle[1] * lateral, axle[2] * lateral] });
+      list.push({ part: contact.part, kind: 'vertical', origin, vector: [0, 0, vertical] });
+    }
+    return list;
+  }
+
+  /** Linear interpolation of one column, or null if there is no such column or value. */
+  interpolated(column: string, time: number): number | null {
+    const values = this.trajectory.column(column);
+    if (!values || values.length === 0) return null;
+    const t = this.trajectory.column('t')!;
+    const row = this.trajectory.locate(time);
+    const next = Math.min(row + 1, values.length - 1);
+    const span = t[next]! - t[row]!;
+    const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
+    const value = share === 0 ? values[row]! : values[row]! + share * (values[next]! - values[row]!);
+    return Number.isFinite(value) ? value : null;
+  }
+
+  private posesAt(row: number, out: Float64Array): void {
+    const { coordinates } = this.view.meta;
+    for (let i = 0; i < coordinates.length; i++) this.q[i] = this.trajectory.column(coordinates[i]!.name)![row]!;
+    this.view.poses(this.q, this.parameters, out);
+  }
+
+  private blend(share: number): void {
+    const { poses, before, after } = this;
+    const [qa, qb, qc] = this.quaternions;
+    for (let o = 0; o < poses.length; o += 12) {
+      for (let i = 0; i < 3; i++) poses[o + i] = before[o + i]! + share * (after[o + i]! - before[o + i]!);
+      quaternionOf(before, o + 3, qa);
+      quaternionOf(after, o + 3, qb);
+      slerp(qa, qb, share, qc);
+      matrixOf(qc, poses, o + 3);
+    }
+  }
+
+  /** Extends tracks and rolled angles to the rows that have come since. */
+  private follow(): void {
+    const { trajectory, view } = this;
+    const rows = trajectory.length;
+    if (rows === this.tracked || view.contacts.length === 0) return;
+    this.reserve(rows);
+    const t = trajectory.column('t')!;
+    for (let row = this.tracked; row < rows; row++) {
+      this.posesAt(row, this.after);
+      view.contacts.forEach((contact, c) => this.extend(c, 12 * contact.body, row, t[row]!));
+    }
+    this.tracked = rows;
+  }
+
+  private extend(c: number, o: number, row: number, time: number): void {
+    const track = this.tracksByContact[c]!;
+    const { points } = track;
+    const pose = this.after;
+    for (let i = 0; i < 3; i++) points[3 * row + i] = pose[o + i]!;
+    track.times[row] = time;
+    track.count = row + 1;
+    const angles = this.rolled[c]!;
+    if (row === 0) return;
+    // Heading e_y x z of the wheel on the ground; its length shrinks as the wheel lies down, and so does rolling.
+    const hx = pose[o + 7]!;
+    const hy = -pose[o + 4]!;
+    const length = Math.hypot(hx, hy);
+    const dx = points[3 * row]! - points[3 * row - 3]!;
+    const dy = points[3 * row + 1]! - points[3 * row - 2]!;
+    const distance = length > 1e-9 ? (hx * dx + hy * dy) / length : 0;
+    angles[row] = angles[row - 1]! + (this.radii[c]! > 0 ? distance / this.radii[c]! : 0);
+  }
+
+  private reserve(rows: number): void {
+    for (let c = 0; c < this.tracksByContact.length; c++) {
+      const track = this.tracksByContact[c]!;
+      if (track.times.length >= rows) continue;
+      const room = Math.max(rows, 2 * track.times.length, 1024);
+      const points = new Float32Array(3 * room);
+      points.set(track.points.subarray(0, 3 * track.count));
+      const times = new Float64Array(room);
+      times.set(track.times.subarray(0, track.count));
+      const angles = new Float64Array(room);
+      angles.set(this.rolled[c]!.subarray(0, track.count));
+      track.points = points;
+      track.times = times;
+      this.rolled[c] = angles;
+    }
+  }
+}

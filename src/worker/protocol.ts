@@ -1,0 +1,13 @@
+import type { StartAdjustment } from '../core/dynamics/consistentStart.ts';
+import type { Scenario } from '../core/scenario/types.ts';
+import type { RunCounts, RunEnd } from '../core/simulation/simulation.ts';
+
+/** Page to worker. Every message names the run it belongs to, so that nothing of an old run is taken for the new. */
+export type ToWorker = { type: 'start'; run: number; scenario: Scenario } | { type: 'cancel'; run: number };
+
+/** Worker to page. Column buffers are transferred, not copied. */
+export type FromWorker =
+  | { type: 'started'; run: number; columns: string[]; adjustments: StartAdjustment[]; notes: string[] }
+  | { type: 'rows'; run: number; columns: Float64Array[]; rows: number; time: number; counts: RunCounts }
+  | { type: 'ended'; run: number; end: RunEnd; counts: RunCounts }
+  | { type: 'refused'; run: number; path: string; message: string };

@@ -1,0 +1,73 @@
+import { ScenarioError } from '../core/scenario/types.ts';
+import { EXTRA_COLUMNS, Simulation } from '../core/simulation/simulation.ts';
+import { systems } from '../core/systems/registry.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
+
+/** Computing time between looks at the mailbox: a cancel is answered well within 100 ms. */
+const SLICE_MS = 12;
+/** Rows are sent at least this often, and no oftener, so that neither page nor plot waits or drowns. */
+const SEND_MS = 30;
+
+const post = (message: FromWorker, transfer: Transferable[] = []): void => self.postMessage(message, { transfer });
+
+let current: { run: number; simulation: Simulation } | null = null;
+
+self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
+  if (data.type === 'cancel') {
+    if (current?.run === data.run) finish(current.simulation, data.run, 'cancelled', 'cancelled; what was computed is kept');
+    return;
+  }
+  start(data);
+});
+
+function start({ run, scenario }: Extract<ToWorker, { type: 'start' }>): void {
+  try {
+    const system = systems[scenario.system];
+    if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
+    const simulation = new Simulation(scenario, system, EXTRA_COLUMNS);
+    current = { run, simulation };
+    post({ type: 'started', run, columns: [...simulation.columns], adjustments: [...simulation.adjustments], notes: [...simulation.notes] });
+    compute(run, simulation, performance.now());
+  } catch (error) {
+    current = null;
+    const path = error instanceof ScenarioError ? error.path : '';
+    post({ type: 'refused', run, path, message: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+/** One slice of computing, then a turn of the event loop, until the run ends or another takes its place. */
+function compute(run: number, simulation: Simulation, lastSent: number): void {
+  if (current?.simulation !== simulation) return;
+  const until = performance.now() + SLICE_MS;
+  simulation.advance(() => performance.now() >= until);
+  if (simulation.end) {
+    finish(simulation, run, '', '');
+    return;
+  }
+  if (performance.now() - lastSent >= SEND_MS) {
+    send(simulation, run);
+    lastSent = performance.now();
+  }
+  nextTurn(() => compute(run, simulation, lastSent));
+}
+
+function finish(simulation: Simulation, run: number, reason: string, message: string): void {
+  if (reason) simulation.stop(reason, message);
+  current = null;
+  send(simulation, run);
+  post({ type: 'ended', run, end: simulation.end!, counts: simulation.counts });
+}
+
+function send(simulation: Simulation, run: number): void {
+  const { columns, rows } = simulation.takeChunk();
+  post({ type: 'rows', run, columns, rows, time: simulation.time, counts: simulation.counts }, columns.map((c) => c.buffer as ArrayBuffer));
+}
+
+/** A message to oneself: unlike a timer it is not throttled, and other messages get their turn first. */
+const channel = new MessageChannel();
+let pending: (() => void) | null = null;
+channel.port1.onmessage = () => pending?.();
+function nextTurn(then: () => void): void {
+  pending = then;
+  channel.port2.postMessage(null);
+}

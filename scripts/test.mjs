@@ -107,11 +107,9 @@ main(async (args) => {
 
   console.log('\n── summary');
   for (const { name, ok, passed, failed, skipped, seconds } of results) {
-    const tests =
-      passed + failed + skipped && `${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ''}`;
-    console.log(
-      `${name.padEnd(8)} ${ok ? 'ok    ' : 'FAILED'} ${seconds.toFixed(0).padStart(4)} s  ${tests || ''}`.trimEnd(),
-    );
+    const tests = name === 'unit' || name === 'browser' ? `  ${passed} passed, ${failed} failed` : '';
+    const further = skipped ? `, ${skipped} skipped` : '';
+    console.log(`${name.padEnd(8)} ${ok ? 'ok    ' : 'FAILED'} ${seconds.toFixed(0).padStart(4)} s${tests}${further}`);
   }
   const sum = (key) => results.reduce((total, result) => total + result[key], 0);
   console.log(`\n${sum('passed')} passed, ${sum('failed')} failed`);

@@ -11,7 +11,8 @@ describe.skipIf(!existsSync('.git'))('tracked files', () => {
       .filter((name) => name !== '' && existsSync(name));
 
   test('name no path of one machine', () => {
-    const machine = /(?<![\w.:/])(\/work\/(main|shared)|\/root|\/home\/\w+|\/Users\/\w+|[A-Z]:\\Users)\b/;
+    // Letters in brackets, so that this line does not match itself.
+    const machine = /(?<![\w.:/])(\/work\/(main|shared)|\/roo[t]|\/home\/\w+|\/Users\/\w+|[A-Z]:\\Users)\b/;
     const names = tracked();
     expect(names.length).toBeGreaterThan(10);
     // latin1 reads binary files too, without an error.

@@ -1,5 +1,4 @@
 import { readFileSync } from 'node:fs';
-import { isAbsolute, resolve } from 'node:path';
 import { StartError } from '../core/dynamics/consistentStart.ts';
 import { cases } from '../core/cases/cases.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
@@ -7,6 +6,7 @@ import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/registry.ts';
 import { point } from './point.ts';
 import { simulate } from './simulate.ts';
+import { UsageError, pathOf } from './usage.ts';
 
 const USAGE = `Usage:
   npm run --silent ripstik -- simulate SCENARIO.json --out RUN.csv   run a scenario (without --out: CSV on standard output)
@@ -14,15 +14,7 @@ const USAGE = `Usage:
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
-/** A call that can't be carried out, said in one line. */
-export class UsageError extends Error {}
-
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
-
-/** Paths mean what they mean where the person typed them, not in the package's own folder. */
-export function pathOf(name: string): string {
-  return isAbsolute(name) ? name : resolve(process.env['INIT_CWD'] ?? process.cwd(), name);
-}
 
 function readScenario(name: string | undefined): Scenario {
   if (!name) throw new UsageError('which scenario? Name a JSON file');

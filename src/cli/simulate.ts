@@ -3,7 +3,7 @@ import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/systems/types.ts';
 import { writeCsv } from '../io/csv.ts';
-import { UsageError, pathOf } from './main.ts';
+import { UsageError, pathOf } from './usage.ts';
 
 /** Rows between writes: the file grows while the run computes, and memory does not. */
 const ROWS_PER_WRITE = 4096;

@@ -1,0 +1,82 @@
+/** What every part of the page shares, so that components need no long lists of props. */
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+import { computed, signal } from '@preact/signals';
+import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { App, CaseInfo } from '../app/types.ts';
+import type { ScenarioFile } from '../core/scenario/types.ts';
+import type { SystemView } from '../core/systems/types.ts';
+import { sameContent } from './draft.ts';
+
+export interface MethodChoice {
+  id: string;
+  label: string;
+  /** False for fixed-step methods: the tolerances then have no meaning. */
+  adaptive?: boolean;
+}
+
+export interface FormulationChoice {
+  id: string;
+  label: string;
+}
+
+export interface Ui {
+  app: App;
+  methods: readonly MethodChoice[];
+  formulations: readonly FormulationChoice[];
+  /** The case the draft came from; fields are compared with it. */
+  origin: ReadonlySignal<CaseInfo | null>;
+  /** Rises when the draft is replaced as a whole: fields then forget rejected text. */
+  epoch: Signal<number>;
+  /** Text that stands in a field but is not in force, by path. */
+  rejected: Signal<ReadonlyMap<string, string>>;
+  system: ReadonlySignal<SystemView | undefined>;
+}
+
+export const UiContext = createContext<Ui | null>(null);
+
+export function useUi(): Ui {
+  const ui = useContext(UiContext);
+  if (!ui) throw new Error('useUi outside of Shell');
+  return ui;
+}
+
+export function createUi(app: App, methods: readonly MethodChoice[], formulations: readonly FormulationChoice[], origin?: ReadonlySignal<CaseInfo | null>): Ui {
+  const epoch = signal(0);
+  return {
+    app, methods, formulations, epoch,
+    origin: origin ?? lastMatchingCase(app),
+    rejected: signal<ReadonlyMap<string, string>>(new Map()),
+    system: computed(() => app.systemOf(app.state.draft.value.system)),
+  };
+}
+
+/** The case whose scenario the draft last was. */
+function lastMatchingCase(app: App): ReadonlySignal<CaseInfo | null> {
+  let last: CaseInfo | null = null;
+  return computed(() => {
+    const draft = app.state.draft.value;
+    last = app.cases.find((c) => sameContent(c.scenario, draft)) ?? (last?.scenario.system === draft.system ? last : null);
+    return last;
+  });
+}
+
+export function edit(ui: Ui, change: (draft: ScenarioFile) => ScenarioFile): void {
+  ui.app.state.draft.value = change(ui.app.state.draft.peek());
+}
+
+/** Runs something that replaces the draft, and clears text that was refused. */
+export function replaceDraft(ui: Ui, action: () => void): void {
+  action();
+  ui.rejected.value = new Map();
+  ui.epoch.value++;
+}
+
+export function setRejected(ui: Ui, path: string, error: string | null): void {
+  const now = ui.rejected.peek();
+  if ((now.get(path) ?? null) === error) return;
+  const next = new Map(now);
+  if (error === null) next.delete(path);
+  else next.set(path, error);
+  ui.rejected.value = next;
+}

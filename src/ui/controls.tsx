@@ -1,0 +1,76 @@
+/** Small controls that every panel uses. */
+import type { ComponentChildren } from 'preact';
+import { useId } from 'preact/hooks';
+
+export function Section({ title, open = false, children }: { title: string; open?: boolean; children: ComponentChildren }) {
+  return (
+    <details class="section" open={open}>
+      <summary><h3>{title}</h3></summary>
+      <div class="section-body">{children}</div>
+    </details>
+  );
+}
+
+export function Choice({ label, value, options, disabled, error, testId, onChange }: {
+  label: string;
+  value: string;
+  options: readonly { id: string; label: string }[];
+  disabled?: boolean;
+  error?: string | null | undefined;
+  testId?: string;
+  onChange(id: string): void;
+}) {
+  const id = useId();
+  return (
+    <div class="choice">
+      <label for={id}>{label}</label>
+      <select id={id} value={value} disabled={disabled} aria-invalid={error ? 'true' : undefined} data-testid={testId} onChange={(event) => onChange(event.currentTarget.value)}>
+        {options.map((option) => <option key={option.id} value={option.id}>{option.label}</option>)}
+      </select>
+      {error && <span class="error">{error}</span>}
+    </div>
+  );
+}
+
+export function Check({ label, checked, onChange, testId }: { label: string; checked: boolean; testId?: string; onChange(on: boolean): void }) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={checked} data-testid={testId} onChange={(event) => onChange(event.currentTarget.checked)} />
+      <span>{label}</span>
+    </label>
+  );
+}
+
+/** A button that stays pressed. */
+export function Toggle({ pressed, label, title, testId, onClick, children }: {
+  pressed: boolean;
+  label?: string;
+  title?: string;
+  testId?: string;
+  onClick(): void;
+  children: ComponentChildren;
+}) {
+  return (
+    <button type="button" class="toggle" aria-pressed={pressed} aria-label={label} title={title} data-testid={testId} onClick={onClick}>
+      {children}
+    </button>
+  );
+}
+
+const PATHS = {
+  play: 'M4 2.5v11l9-5.5z', pause: 'M4 2.5h3v11H4zM9 2.5h3v11H9z', back: 'M12 3v10L5 8zM3.5 3h1.5v10H3.5z', forward: 'M4 3v10l7-5zM11 3h1.5v10H11z',
+} as const;
+const LINES = {
+  loop: 'M3 7.5V6.5a2 2 0 0 1 2-2h8M11 2.5l2 2-2 2M13 8.5v1a2 2 0 0 1-2 2H3M5 13.5l-2-2 2-2', open: 'M2 12.5v-9h4l1.5 2H14v7zM2 7.5h12',
+  sample: 'M2 11c2 0 2-6 4-6s2 6 4 6 2-6 4-6', export: 'M8 2v8M5 7l3 3 3-3M3 13h10', light: 'M8 5a3 3 0 1 1 0 6 3 3 0 0 1 0-6M8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M3 13l1-1M12 4l1-1',
+  dark: 'M13 9.5A5.5 5.5 0 1 1 6.5 3 4.5 4.5 0 0 0 13 9.5z', down: 'M4 6l4 4 4-4', close: 'M4 4l8 8M12 4l-8 8', left: 'M10 3L5 8l5 5', right: 'M6 3l5 5-5 5',
+} as const;
+
+export function Icon({ name }: { name: keyof typeof PATHS | keyof typeof LINES }) {
+  const solid = name in PATHS;
+  return (
+    <svg class="icon" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+      <path d={solid ? PATHS[name as keyof typeof PATHS] : LINES[name as keyof typeof LINES]} fill={solid ? 'currentColor' : 'none'} stroke={solid ? 'none' : 'currentColor'} stroke-width="1.4" stroke-linecap="round" stroke-linejoin="round" />
+    </svg>
+  );
+}

@@ -1,0 +1,80 @@
+import type { Signal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import type { PendingFile } from '../app/types.ts';
+import type { NumberOrExpression } from '../core/scenario/types.ts';
+import { useUi } from './context.ts';
+import { Icon } from './controls.tsx';
+import { formatShort } from './format.ts';
+import { NumberField } from './numberField.tsx';
+import { text } from './text.ts';
+import { numberOf } from './useNumberField.ts';
+
+/** A modal dialog: focus goes in, stays in and comes back; Escape closes. */
+export function Dialog({ title, testId, onClose, children }: { title: string; testId: string; onClose(): void; children: ComponentChildren }) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  const id = useId();
+  useEffect(() => {
+    const element = dialog.current!;
+    const before = document.activeElement as HTMLElement | null;
+    element.showModal();
+    return () => {
+      element.close();
+      before?.focus?.();
+    };
+  }, []);
+  return (
+    <dialog ref={dialog} aria-labelledby={id} data-testid={testId} onCancel={(event) => { event.preventDefault(); onClose(); }}
+      onClick={(event) => { if (event.target === dialog.current) onClose(); }}>
+      <div class="dialog-body">
+        <div class="dialog-head">
+          <h2 id={id}>{title}</h2>
+          <button type="button" class="quiet square" aria-label={text.close} onClick={onClose}><Icon name="close" /></button>
+        </div>
+        {children}
+      </div>
+    </dialog>
+  );
+}
+
+export function KeysDialog({ open }: { open: Signal<boolean> }) {
+  if (!open.value) return null;
+  return (
+    <Dialog title={text.top.keys} testId="keys-dialog" onClose={() => { open.value = false; }}>
+      <dl class="keys">
+        {text.keys.map(([keys, what]) => (
+          <div key={keys}><dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt><dd>{what}</dd></div>
+        ))}
+      </dl>
+    </Dialog>
+  );
+}
+
+export function StepDialog() {
+  const pending = useUi().app.state.pendingFile.value;
+  return pending ? <StepForm key={pending.name} pending={pending} /> : null;
+}
+
+function StepForm({ pending }: { pending: PendingFile }) {
+  const { actions } = useUi().app;
+  const inverse = Math.round(1 / pending.offeredStep);
+  const offered = Math.abs(inverse * pending.offeredStep - 1) < 1e-9 && inverse > 1 ? `1/${inverse}` : pending.offeredStep;
+  const [step, setStep] = useState<NumberOrExpression>(offered);
+  const seconds = numberOf(step, pending.offeredStep);
+  return (
+    <Dialog title={text.file.stepTitle} testId="step-dialog" onClose={() => actions.answerTimeStep(null)}>
+      <form onSubmit={(event) => { event.preventDefault(); actions.answerTimeStep(seconds); }}>
+        <p>{text.file.stepAsk(pending.name)}</p>
+        <NumberField testId="step-field" symbol="Δt" spec={{
+          path: 'file.step', label: text.file.step, unit: 's', angle: false, positive: true, value: step, base: offered, rest: pending.offeredStep,
+          step: 0.001, commit: (value) => setStep(value ?? offered),
+        }} />
+        <p class="hint">{text.file.rowsPerSecond(formatShort(1 / seconds, 5))}</p>
+        <div class="dialog-buttons">
+          <button type="submit" class="primary" data-testid="step-accept">{text.file.use}</button>
+          <button type="button" data-testid="step-cancel" onClick={() => actions.answerTimeStep(null)}>{text.file.giveUp}</button>
+        </div>
+      </form>
+    </Dialog>
+  );
+}

@@ -1,0 +1,83 @@
+import type { NumberOrExpression, TrackControl } from '../core/scenario/types.ts';
+import { edit, useUi } from './context.ts';
+import { Choice, Section } from './controls.tsx';
+import { withEntry, withKey } from './draft.ts';
+import { ExpressionField } from './expressionField.tsx';
+import { NumberField } from './numberField.tsx';
+import { text } from './text.ts';
+import type { NumberSpec } from './useNumberField.ts';
+
+export function InputsSection() {
+  const ui = useUi();
+  const system = ui.system.value;
+  const inputs = system?.meta.inputs ?? [];
+  if (!system || inputs.length === 0) return null;
+  const draft = ui.app.state.draft.value;
+  return (
+    <Section title={text.panel.inputs}>
+      {inputs.map((input) => (
+        <ExpressionField key={`${system.meta.id}.${input.name}`} path={`inputs.${input.name}`} symbol={input.symbol} label={input.label} unit={input.unit} testId={`input-${input.name}`}
+          value={draft.inputs?.[input.name]} base={ui.origin.value?.scenario.inputs?.[input.name]}
+          commit={(value) => edit(ui, (now) => withEntry(now, 'inputs', input.name, value))} />
+      ))}
+      <p class="hint">{text.panel.inputsHint}</p>
+    </Section>
+  );
+}
+
+export function ControlSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const control = draft.control;
+  const tracking = ui.system.value?.meta.inputs.filter((input) => input.tracks) ?? [];
+  if (tracking.length === 0 && !control) return null;
+  const kinds = [
+    { id: 'none', label: text.panel.controlNone },
+    ...(tracking.length > 0 ? [{ id: 'track', label: text.panel.controlTrack }] : []),
+    ...(control?.type === 'lqr' ? [{ id: 'lqr', label: text.panel.controlLqr }] : []),
+  ];
+  const choose = (id: string) => {
+    const saved = ui.origin.value?.scenario.control;
+    const track: TrackControl = saved?.type === 'track' ? saved : { type: 'track', reference: {}, kp: 60, kd: 3 };
+    if (id !== 'lqr') edit(ui, (now) => withKey(now, 'control', id === 'track' ? track : undefined));
+  };
+  return (
+    <Section title={text.panel.control}>
+      <Choice label={text.panel.controlKind} value={control?.type ?? 'none'} options={kinds} error={ui.app.state.draftErrors.value.get('control')} testId="control" onChange={choose} />
+      {control?.type === 'lqr' && <p class="hint">{text.panel.lqrNote(control.inputs.join(', '))}</p>}
+      {control?.type === 'track' && <Track control={control} />}
+    </Section>
+  );
+}
+
+function Track({ control }: { control: TrackControl }) {
+  const ui = useUi();
+  const system = ui.system.value!;
+  const saved = ui.origin.value?.scenario.control;
+  const origin = saved?.type === 'track' ? saved : undefined;
+  const change = (part: Partial<TrackControl>) => edit(ui, (now) => (now.control?.type === 'track' ? withKey(now, 'control', { ...now.control, ...part }) : now));
+  const refer = (name: string, value: NumberOrExpression | undefined) => {
+    const { [name]: _, ...rest } = control.reference;
+    change({ reference: value === undefined ? rest : { ...rest, [name]: value } });
+  };
+  const gain = (key: 'kp' | 'kd'): NumberSpec => ({
+    path: `control.${key}`, label: text.panel[key], angle: false, numeric: true, min: 0, value: control[key], base: origin?.[key] ?? control[key], rest: 0,
+    step: key === 'kp' ? 1 : 0.1, commit: (value) => change({ [key]: value as number }),
+  });
+  return (
+    <>
+      {system.meta.inputs.filter((input) => input.tracks).map((input) => (
+        <ExpressionField key={`${system.meta.id}.${input.name}`} path={`control.reference.${input.name}`} symbol={input.symbol} unit={text.panel.reference} label={trackedName(input.tracks!, system.meta.coordinates)}
+          value={control.reference[input.name]} base={origin?.reference[input.name]} placeholder="–" testId={`reference-${input.name}`} commit={(value) => refer(input.name, value)} />
+      ))}
+      <NumberField symbol="k_p" spec={gain('kp')} testId="control-kp" />
+      <NumberField symbol="k_d" spec={gain('kd')} testId="control-kd" />
+      <p class="hint">{text.panel.trackHint}</p>
+    </>
+  );
+}
+
+/** `α + α_fp`, as plain text. */
+function trackedName(tracks: readonly string[], coordinates: readonly { name: string; symbol: string }[]): string {
+  return tracks.map((name) => coordinates.find((c) => c.name === name)?.symbol ?? name).join(' + ');
+}

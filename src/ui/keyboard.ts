@@ -1,0 +1,77 @@
+/** The page's keys. Fields, menus and dialogs keep theirs. */
+import { useEffect } from 'preact/hooks';
+import type { Signal } from '@preact/signals';
+import type { App } from '../app/types.ts';
+import { views } from './stageOverlay.tsx';
+import { timelineOf } from './timeline.ts';
+import { speeds } from './transport.tsx';
+
+const JUMP = 0.1;
+
+export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
+  useEffect(() => {
+    const onKeyDown = (event: KeyboardEvent) => {
+      if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
+      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+        // after the field has taken the key and what it led to has been drawn
+        setTimeout(() => app.actions.run());
+        return;
+      }
+      if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target) || (event.key === ' ' && pressing(event.target))) return;
+      if (act(app, event.key, event.shiftKey, keysOpen)) event.preventDefault();
+    };
+    window.addEventListener('keydown', onKeyDown);
+    return () => window.removeEventListener('keydown', onKeyDown);
+  }, []);
+}
+
+function typing(target: EventTarget | null): boolean {
+  if (target instanceof HTMLInputElement) return target.type !== 'range' && target.type !== 'checkbox';
+  return target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName));
+}
+
+/** Space presses what has the focus. */
+function pressing(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && (/^(BUTTON|SUMMARY|A)$/.test(target.tagName) || (target instanceof HTMLInputElement && target.type === 'checkbox'));
+}
+
+/** Returns whether the key meant something. */
+export function act(app: App, key: string, shift: boolean, keysOpen: Signal<boolean>): boolean {
+  const { state, actions } = app;
+  const line = timelineOf(state.motion.peek(), state.run.peek());
+  const seek = (time: number) => actions.seek(Math.min(line.available, Math.max(line.start, time)));
+  const along = (sign: 1 | -1) => (shift ? seek(state.time.peek() + sign * JUMP) : actions.stepRows(sign));
+  const does: Record<string, () => void> = {
+    ' ': actions.toggle,
+    ArrowLeft: () => along(-1),
+    ArrowRight: () => along(1),
+    ',': () => actions.stepRows(-1),
+    '.': () => actions.stepRows(1),
+    Home: () => seek(line.start),
+    End: () => seek(line.available),
+    j: () => slowerOrFaster(app, -1),
+    k: actions.pause,
+    l: () => slowerOrFaster(app, 1),
+    f: () => { state.follow.value = !state.follow.peek(); },
+    '?': () => { keysOpen.value = true; },
+  };
+  const view = views[Number(key) - 1];
+  const run = does[key.length === 1 ? key.toLowerCase() : key] ?? (view && (() => { state.view.value = view; }));
+  run?.();
+  return run !== undefined;
+}
+
+/** L plays, then speeds up; J plays or goes on, one speed slower. */
+function slowerOrFaster({ state, actions }: App, way: 1 | -1): void {
+  if (state.playing.peek()) {
+    const now = state.speed.peek();
+    const next = way > 0 ? speeds.find((s) => s > now) : [...speeds].reverse().find((s) => s < now);
+    if (next !== undefined) state.speed.value = next;
+  } else if (way < 0) {
+    const slower = [...speeds].reverse().find((s) => s < state.speed.peek());
+    if (slower !== undefined) state.speed.value = slower;
+    actions.play();
+  } else {
+    actions.play();
+  }
+}

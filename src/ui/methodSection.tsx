@@ -1,0 +1,70 @@
+import type { MethodOptions } from '../core/scenario/types.ts';
+import { edit, useUi } from './context.ts';
+import { Check, Choice, Section } from './controls.tsx';
+import { withKey, withMethod } from './draft.ts';
+import { NumberField } from './numberField.tsx';
+import { text } from './text.ts';
+import type { NumberSpec } from './useNumberField.ts';
+
+/** Defaults of a scenario's method. */
+export const methodDefaults = { name: 'dopri5', formulation: 'multipliers', rtol: 1e-8, atol: 1e-10, projection: true } as const;
+const timeDefaults = { duration: 10, outputStep: 0.01 } as const;
+
+export function MethodSection() {
+  const ui = useUi();
+  const method: Partial<MethodOptions> = ui.app.state.draft.value.method ?? {};
+  const base = ui.origin.value?.scenario.method;
+  const errors = ui.app.state.draftErrors.value;
+  const name = method.name ?? methodDefaults.name;
+  const adaptive = ui.methods.find((m) => m.id === name)?.adaptive !== false;
+  const set = <K extends keyof MethodOptions>(key: K, value: MethodOptions[K] | undefined) =>
+    edit(ui, (draft) => withMethod(draft, key, value === (methodDefaults as Partial<MethodOptions>)[key] ? undefined : value));
+  const spec = (key: 'rtol' | 'atol' | 'step' | 'maxStep', standard?: number): NumberSpec => ({
+    path: `method.${key}`, label: text.panel[key], angle: false, numeric: true, positive: true, unit: key === 'step' || key === 'maxStep' ? 's' : '',
+    optional: true, value: method[key] ?? standard, base: base?.[key] ?? standard, rest: standard, step: standard ? standard : 0.001,
+    commit: (value) => set(key, value as number | undefined),
+  });
+  return (
+    <Section title={text.panel.method}>
+      <Choice label={text.panel.method} value={name} options={ui.methods} error={errors.get('method.name')} testId="method-name" onChange={(id) => set('name', id)} />
+      <Choice label={text.panel.formulation} value={method.formulation ?? methodDefaults.formulation} options={ui.formulations} disabled={name === 'ida'}
+        error={errors.get('method.formulation')} testId="method-formulation" onChange={(id) => set('formulation', id)} />
+      {adaptive && <NumberField symbol="rtol" spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />}
+      {adaptive && <NumberField symbol="atol" spec={spec('atol', methodDefaults.atol)} testId="method-atol" />}
+      <NumberField symbol="h" spec={spec('step')} placeholder={text.panel.auto} testId="method-step" />
+      {adaptive && <NumberField symbol="h_max" spec={spec('maxStep')} placeholder={text.panel.auto} testId="method-maxStep" />}
+      <Check label={text.panel.projection} checked={method.projection ?? true} testId="method-projection" onChange={(on) => set('projection', on)} />
+    </Section>
+  );
+}
+
+export function TimeSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const system = ui.system.value;
+  const origin = ui.origin.value?.scenario;
+  const spec = (key: 'duration' | 'outputStep'): NumberSpec => ({
+    path: key, label: text.panel[key], unit: 's', angle: false, numeric: true, positive: true,
+    value: draft[key] ?? timeDefaults[key], base: origin?.[key] ?? timeDefaults[key], rest: timeDefaults[key], step: key === 'duration' ? 1 : 0.001,
+    commit: (value) => edit(ui, (now) => withKey(now, key, value === timeDefaults[key] ? undefined : (value as number))),
+  });
+  const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
+  return (
+    <Section title={text.panel.time} open>
+      <NumberField symbol="T" spec={spec('duration')} testId="duration" />
+      <NumberField symbol="Δt" spec={spec('outputStep')} testId="output-step" />
+      {system && system.contacts.length > 0 && constraints !== 'none' && (
+        <Choice label={text.panel.touchdown} value={draft.events?.['touchdown'] ?? 'stop'} testId="event-touchdown"
+          options={[{ id: 'stop', label: text.panel.stop }, { id: 'ignore', label: text.panel.ignore }]}
+          error={ui.app.state.draftErrors.value.get('events.touchdown')}
+          onChange={(id) => edit(ui, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))} />
+      )}
+    </Section>
+  );
+}
+
+function eventsWith(events: Record<string, 'stop' | 'ignore'> | undefined, ignore: boolean): Record<string, 'stop' | 'ignore'> | undefined {
+  const { touchdown: _, ...rest } = events ?? {};
+  const next: Record<string, 'stop' | 'ignore'> = ignore ? { ...rest, touchdown: 'ignore' } : rest;
+  return Object.keys(next).length > 0 ? next : undefined;
+}

@@ -1,0 +1,45 @@
+/** What lies over the scene: view buttons, switches, one line of what to look at. */
+import type { ReadonlySignal } from '@preact/signals';
+import type { ViewName } from '../app/types.ts';
+import { useUi } from './context.ts';
+import { Toggle } from './controls.tsx';
+import { text } from './text.ts';
+
+export const views: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
+
+export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
+  const ui = useUi();
+  const { state } = ui.app;
+  const motion = state.motion.value;
+  const origin = ui.origin.value;
+  const fileTitle = motion?.source === 'file' ? motion.title : null;
+  return (
+    <>
+      <div class="caption">
+        <p class="caption-title">{fileTitle ?? origin?.title ?? ''}</p>
+        {!fileTitle && origin && <p>{origin.summary}</p>}
+        {motion === null && state.run.value === null && <p>{text.hint}</p>}
+      </div>
+      {sceneError.value !== null && (
+        <div class="scene-error" role="alert" data-testid="scene-error">
+          <h2>{text.noScene}</h2>
+          <p>{sceneError}</p>
+        </div>
+      )}
+      <div class="views">
+        <div class="segments" role="group" aria-label={text.view.label}>
+          {views.map((view, i) => (
+            <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${i + 1})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>
+              {text.view.names[view]}
+            </Toggle>
+          ))}
+        </div>
+        <div class="segments" role="group" aria-label={text.view.switches}>
+          <Toggle pressed={state.follow.value} title={`${text.view.follow} (F)`} testId="toggle-follow" onClick={() => { state.follow.value = !state.follow.value; }}>{text.view.follow}</Toggle>
+          <Toggle pressed={state.showTrails.value} testId="toggle-trails" onClick={() => { state.showTrails.value = !state.showTrails.value; }}>{text.view.trails}</Toggle>
+          <Toggle pressed={state.showForces.value} testId="toggle-forces" onClick={() => { state.showForces.value = !state.showForces.value; }}>{text.view.forces}</Toggle>
+        </div>
+      </div>
+    </>
+  );
+}

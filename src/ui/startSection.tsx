@@ -1,0 +1,83 @@
+/** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
+import { useId } from 'preact/hooks';
+import type { Adjustment } from '../app/types.ts';
+import type { CoordinateMeta } from '../core/systems/types.ts';
+import { edit, useUi } from './context.ts';
+import { Section } from './controls.tsx';
+import { withEntry } from './draft.ts';
+import { formatQuantity } from './format.ts';
+import { FieldError, NumberBox } from './numberField.tsx';
+import { Chip, MathSymbol } from './symbol.tsx';
+import { text } from './text.ts';
+import { useNumberField } from './useNumberField.ts';
+import type { NumberSpec } from './useNumberField.ts';
+
+const units = { length: ['m', 'm/s'], angle: ['°', '°/s'] } as const;
+
+export function StartSection() {
+  const ui = useUi();
+  const system = ui.system.value;
+  if (!system) return null;
+  const motion = ui.app.state.motion.value;
+  const adjusted = new Map(motion?.source === 'run' && motion.system === system ? motion.adjustments.map((a) => [a.name, a]) : []);
+  return (
+    <Section title={text.panel.start} open>
+      <div class="start-head" aria-hidden="true"><span>{text.panel.value}</span><span>{text.panel.rate}</span></div>
+      {system.meta.coordinates.map((c) => (
+        <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} />
+      ))}
+      <p class="hint">{text.panel.startHint}</p>
+    </Section>
+  );
+}
+
+function StartRow({ coordinate, value, rate }: { coordinate: CoordinateMeta; value: Adjustment | undefined; rate: Adjustment | undefined }) {
+  const [valueId, rateId] = [useId(), useId()];
+  const valueSpec = useStartSpec(coordinate, 0);
+  const rateSpec = useStartSpec(coordinate, 1);
+  const valueField = useNumberField(valueSpec);
+  const rateField = useNumberField(rateSpec);
+  return (
+    <div class="start-row">
+      <span class="handle" title={text.panel.scrub} {...valueField.scrub}>
+        <Chip part={coordinate.part} />
+        <MathSymbol of={coordinate.symbol} />
+      </span>
+      <span class="name">{coordinate.label}</span>
+      <span class="cell">
+        <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
+        <Solved adjustment={value} unit={valueSpec.unit!} />
+      </span>
+      <span class="cell">
+        <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />
+        <Solved adjustment={rate} unit={rateSpec.unit!} />
+      </span>
+      <FieldError id={valueId} error={valueField.error} />
+      <FieldError id={rateId} error={rateField.error} />
+    </div>
+  );
+}
+
+function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
+  const ui = useUi();
+  const name = order === 0 ? coordinate.name : `${coordinate.name}_dot`;
+  return {
+    path: `initial.${name}`,
+    label: order === 0 ? coordinate.label : `${coordinate.label}, ${text.panel.rate}`,
+    unit: units[coordinate.kind][order],
+    angle: coordinate.kind === 'angle',
+    optional: true,
+    value: ui.app.state.draft.value.initial?.[name],
+    base: ui.origin.value?.scenario.initial?.[name],
+    rest: order === 0 ? (coordinate.rest ?? 0) : 0,
+    step: coordinate.kind === 'angle' ? 1 : order === 0 ? 0.01 : 0.1,
+    commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+  };
+}
+
+/** What the last run started from instead. */
+function Solved({ adjustment, unit }: { adjustment: Adjustment | undefined; unit: string }) {
+  if (!adjustment || adjustment.from === adjustment.to) return null;
+  const why = adjustment.named ? text.panel.moved : text.panel.solved;
+  return <span class="solved">→ {formatQuantity(adjustment.to, unit)} ({why})</span>;
+}

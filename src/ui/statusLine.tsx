@@ -1,0 +1,67 @@
+/** One line that is always there: how the numbers were made and whether to trust them. */
+import { useUi } from './context.ts';
+import { formatCount, formatScientific } from './format.ts';
+import { text } from './text.ts';
+
+export function StatusLine() {
+  const ui = useUi();
+  const motion = ui.app.state.motion.value;
+  return (
+    <footer class="status" data-testid="status" aria-label={text.status.label}>
+      {motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
+      <span class="spring" />
+      <RunStanding />
+    </footer>
+  );
+}
+
+function RunFacts() {
+  const ui = useUi();
+  const { state } = ui.app;
+  const statistics = state.statistics.value;
+  const method = (state.motion.value?.scenario ?? state.draft.value).method;
+  const name = method?.name ?? 'dopri5';
+  const words = text.status;
+  return (
+    <>
+      <span title={method?.formulation ?? 'multipliers'}>{name}</span>
+      <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
+      <span title={words.energyTitle}>{words.energy} <b data-testid="energy">{statistics ? formatScientific(statistics.energyDrift) : '–'}</b></span>
+      <span title={words.residualTitle}>{words.residual} <b data-testid="residual">{statistics ? formatScientific(statistics.residual, 0) : '–'}</b></span>
+    </>
+  );
+}
+
+function FileFacts() {
+  const { state } = useUi().app;
+  void state.rowsVersion.value;
+  const motion = state.motion.value!;
+  const skipped = new Set(motion.issues.filter((i) => i.line > 0).map((i) => i.line)).size;
+  return (
+    <>
+      <span class="file-name">{motion.title}</span>
+      <span data-testid="rows">{formatCount(motion.trajectory.length)} {text.status.rows}</span>
+      <span data-testid="columns">{motion.trajectory.columns.length} {text.status.columns}</span>
+      {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
+    </>
+  );
+}
+
+function RunStanding() {
+  const { state, actions } = useUi().app;
+  const run = state.run.value;
+  if (run?.kind === 'computing') {
+    return (
+      <span class="standing" data-testid="run-state">
+        <progress max={1} value={run.progress} aria-label={text.said.computing} />
+        {text.status.computing(Math.floor(100 * run.progress))}
+        <button type="button" class="link" onClick={() => actions.cancel()}>{text.panel.cancel}</button>
+      </span>
+    );
+  }
+  if (run?.kind === 'ended') {
+    const failed = run.reason !== 'end' && run.reason !== 'cancelled';
+    return <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>;
+  }
+  return <span class="standing" data-testid="run-state">{state.motion.value ? '' : text.status.idle}</span>;
+}

@@ -1,0 +1,44 @@
+import { edit, replaceDraft, useUi } from './context.ts';
+import { Choice, Section, Toggle } from './controls.tsx';
+import { withKey } from './draft.ts';
+import { MathSymbol } from './symbol.tsx';
+import { text } from './text.ts';
+
+export function SystemSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const system = ui.system.value;
+  const errors = ui.app.state.draftErrors.value;
+  if (!system) return <p class="error" role="alert">{errors.get('system') ?? draft.system}</p>;
+  const ids = [...new Set([...ui.app.cases.map((c) => c.scenario.system), draft.system])];
+  const systems = ids.map((id) => ({ id, label: ui.app.systemOf(id)?.meta.title ?? id }));
+  const sets = system.meta.constraintSets;
+  const held = draft.hold ?? [];
+  const hold = (name: string) => {
+    const order = system.meta.coordinates.map((c) => c.name).filter((n) => (n === name) !== held.includes(n));
+    edit(ui, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
+  };
+  return (
+    <Section title={text.panel.system} open>
+      <Choice label={text.panel.system} value={draft.system} options={systems} testId="system" onChange={(id) => {
+        const first = ui.app.cases.find((c) => c.scenario.system === id);
+        if (first) replaceDraft(ui, () => ui.app.actions.loadCase(first.id));
+      }} />
+      {sets.length > 0 && (
+        <Choice label={text.panel.constraints} value={draft.constraints ?? sets[0]!.id} options={sets} error={errors.get('constraints')} testId="constraints"
+          onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))} />
+      )}
+      <div class="hold" role="group" aria-label={text.panel.hold}>
+        <span class="hold-label" title={text.panel.holdHint}>{text.panel.hold}</span>
+        <span class="hold-keys">
+          {system.meta.coordinates.map((c) => (
+            <Toggle key={c.name} pressed={held.includes(c.name)} label={c.label} title={c.label} testId={`hold-${c.name}`} onClick={() => hold(c.name)}>
+              <MathSymbol of={c.symbol} />
+            </Toggle>
+          ))}
+        </span>
+        {errors.get('hold') && <span class="error">{errors.get('hold')}</span>}
+      </div>
+    </Section>
+  );
+}

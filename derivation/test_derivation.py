@@ -1,0 +1,108 @@
+"""The derivation's own tests: the short way against the definitions, at seeded random points."""
+
+import random
+import unittest
+
+import sympy as sp
+
+from . import ripstik
+from .angular_velocity import body_angular_velocity, hat, vee
+from .energy import kinetic, potential
+from .euler_lagrange import along, from_bodies, from_lagrangian
+from .rotations import Frame, rotation
+from .tape import differentiate, record
+
+
+def values(symbols, seed):
+    draw = random.Random(seed)
+    return {s: sp.Float(draw.uniform(0.2, 1.1), 30) for s in symbols}
+
+
+def number(expression, at):
+    return expression.subs(at).evalf(25) if not expression.is_Number else expression
+
+
+class Rotations(unittest.TestCase):
+    def test_frames_compose_to_the_definition_of_angular_velocity(self):
+        q = sp.Matrix(sp.symbols("a b c"))
+        v = sp.Matrix(sp.symbols("a_dot b_dot c_dot"))
+        frame = Frame.world(q).turned("z", q[0], q).turned("y", q[1], q).turned("x", q[2] + q[0], q)
+        by_definition = body_angular_velocity(frame.R, q, v)
+        at = values(list(q) + list(v), 1)
+        for i in range(3):
+            self.assertLess(abs(number((frame.W * v)[i] - by_definition[i], at)), 1e-20)
+
+    def test_attitude_is_yaw_pitch_roll(self):
+        yaw, pitch, roll = sp.symbols("yaw pitch roll")
+        q = sp.Matrix([yaw, pitch, roll])
+        frame = Frame.world(q).turned("z", yaw, q).turned("y", pitch, q).turned("x", roll, q)
+        product = rotation("z", yaw) * rotation("y", pitch) * rotation("x", roll)
+        self.assertEqual(sp.simplify(frame.R - product), sp.zeros(3, 3))
+
+    def test_vee_undoes_hat(self):
+        w = sp.Matrix(sp.symbols("w1:4"))
+        self.assertEqual(vee(hat(w)), w)
+
+
+class EulerLagrange(unittest.TestCase):
+    def test_cart_pendulum_has_the_reports_equations(self):
+        X, th, Xd, thd = sp.symbols("X theta X_dot theta_dot")
+        m1, m2, L, g = sp.symbols("m1 m2 L g")
+        lagrangian = m1 * Xd**2 / 2 + m2 / 2 * (
+            2 * g * L * sp.sin(th) + 2 * L**2 * thd**2 - 2 * L * sp.sin(th) * thd * Xd + Xd**2)
+        e = from_lagrangian(lagrangian, sp.Matrix([X, th]), sp.Matrix([Xd, thd]))
+        Xdd, thdd = sp.symbols("X_ddot theta_ddot")
+        left = e.M * sp.Matrix([Xdd, thdd]) - e.h
+        # Eq. 18 and 19, which the report writes with the other sign.
+        eq18 = L * m2 * sp.cos(th) * thd**2 + L * m2 * sp.sin(th) * thdd - (m1 + m2) * Xdd
+        eq19 = L * m2 * (g * sp.cos(th) - 2 * L * thdd + sp.sin(th) * Xdd)
+        self.assertEqual(sp.simplify(left[0] + eq18), 0)
+        self.assertEqual(sp.simplify(left[1] + eq19), 0)
+
+    def test_board_from_bodies_is_board_from_lagrangian(self):
+        """Differentiates L along exact numbers: d/dt dL/dv - dL/dq without expanding L."""
+        model = ripstik.model()
+        q, v = model.q, model.v
+        pitched = Frame.world(q).turned("z", q[5], q).turned("y", q[4], q)
+        bodies = model.bodies
+        V = potential(bodies, ripstik.p["gravity"])
+        equations = from_bodies(bodies, V, q, v)
+        at = values(list(q) + list(v) + list(model.parameters), 7)
+        L = kinetic(bodies, q, v) - V
+        self.assertEqual(pitched.R.shape, (3, 3))
+        for i in (3, 4, 6, 8):
+            momentum = L.diff(v[i])
+            M_row = [number(momentum.diff(v[j]), at) for j in range(10)]
+            for j in range(10):
+                self.assertLess(abs(M_row[j] - number(equations.M[i, j], at)), 1e-15)
+            h = number(L.diff(q[i]), at) - number(along(momentum, q, v), at)
+            self.assertLess(abs(h - number(equations.h[i], at)), 1e-13)
+
+
+class Tapes(unittest.TestCase):
+    def test_forward_differentiation_is_exact(self):
+        x, y = sp.symbols("x y")
+        f = sp.sin(x * y) / (1 + x**2) + sp.sqrt(1 + y**2) * sp.sin(x * y)
+        tape = differentiate(record({"f": f}), {"x": x, "y": y})
+        at = values([x, y], 3)
+        for label, symbol in (("x", x), ("y", y)):
+            value = tape.outputs[("f", label)]
+            for s, e in reversed(tape.steps):
+                value = value.subs(s, e)
+            self.assertLess(abs(number(value - f.diff(symbol), at)), 1e-20)
+
+    def test_constraint_rows_are_the_velocities_they_name(self):
+        model = ripstik.model()
+        at = values(list(model.q) + list(model.v) + list(model.parameters), 11)
+        for body, rows in ((model.bodies[3], (0, 1)), (model.bodies[4], (2, 3))):
+            velocity = body.centre.jacobian(model.q) * model.v
+            axle = body.frame.R * sp.Matrix([0, 1, 0])
+            rolling, report = model.constraints
+            self.assertLess(abs(number((rolling.Omega * model.v)[rows[0]] - axle.dot(velocity), at)), 1e-20)
+            self.assertLess(abs(number((report.Omega * model.v)[rows[0]] - velocity[1], at)), 1e-20)
+            for constraints in model.constraints:
+                self.assertLess(abs(number((constraints.Omega * model.v)[rows[1]] - velocity[2], at)), 1e-20)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,30 @@
+/** Writes public/models/<body>.mdl and .mat for the default board; `--check` compares instead. */
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { generateModels } from '../src/core/models/index.ts';
+import { ripstikMeta } from '../src/core/systems/ripstik/meta.ts';
+
+const folder = new URL('../public/models/', import.meta.url);
+const defaults = Object.fromEntries(ripstikMeta.parameters.map((p) => [p.name, p.default]));
+
+const files = Object.entries(generateModels(defaults)).flatMap(([name, { mdl, mat }]) => [
+  { url: new URL(`${name}.mdl`, folder), text: mdl },
+  { url: new URL(`${name}.mat`, folder), text: mat },
+]);
+
+function isSame(url: URL, text: string): boolean {
+  try {
+    return readFileSync(url, 'utf8') === text;
+  } catch {
+    return false;
+  }
+}
+
+if (process.argv.includes('--check')) {
+  const stale = files.filter(({ url, text }) => !isSame(url, text));
+  for (const { url } of stale) console.error(`${fileURLToPath(url)} is not what the generator writes: run npm run models`);
+  process.exitCode = stale.length > 0 ? 1 : 0;
+} else {
+  mkdirSync(folder, { recursive: true });
+  for (const { url, text } of files) writeFileSync(url, text);
+}

@@ -69,7 +69,32 @@ function outlineOf(L: number, halfWidth: number, waist: number): PlanStation[] {
   // The tip closes; elsewhere the knots fill what is left beside the waist.
   const y = monotoneCurve(outlineW.map((w, i) => (i < outlineW.length - 1 ? Math.min(1, Math.max(w, i > 6 ? 0 : mix(waist, 1, w))) : 0) * halfWidth));
   const last = outlineS.length - 1;
-  return steps(0, last, last * stationsPerKnot).map((u) => ({ x: x(u), y: y(u) }));
+  const drawn = steps(0, last, last * stationsPerKnot).map((u) => ({ x: x(u), y: y(u) }));
+  return fitted(smoothed(drawn, 6), L, halfWidth);
+}
+
+/** Monotone curves bend abruptly at their knots; a few passes of averaging even that out. */
+function smoothed(path: readonly PlanStation[], passes: number): PlanStation[] {
+  let now = [...path];
+  for (let pass = 0; pass < passes; pass++) {
+    now = now.map((p, i) => {
+      const before = now[i - 1];
+      const after = now[i + 1] ?? { x: before?.x ?? p.x, y: -(before?.y ?? 0) };
+      if (!before) return p;
+      return { x: (before.x + 2 * p.x + after.x) / 4, y: (before.y + 2 * p.y + after.y) / 4 };
+    });
+  }
+  return now;
+}
+
+/** Averaging shrinks: stretch the outline back to the prism's plan. */
+function fitted(path: readonly PlanStation[], L: number, halfWidth: number): PlanStation[] {
+  const start = path[0]?.x ?? 0;
+  const tip = path[path.length - 1]?.x ?? 0;
+  const widest = path.reduce((most, p) => Math.max(most, p.y), 0);
+  return path.map((p, i) =>
+    i === path.length - 1 ? { x: L / 2, y: 0 } : { x: start + ((p.x - start) * (L / 2 - start)) / (tip - start), y: (p.y * halfWidth) / widest },
+  );
 }
 
 /** The outline moved inwards by a distance; x keeps rising, y stays on its side. */

@@ -18,6 +18,9 @@ export function Dialog({ title, testId, onClose, children }: { title: string; te
     const element = dialog.current!;
     const before = document.activeElement as HTMLElement | null;
     element.showModal();
+    const field = element.querySelector<HTMLInputElement>('form input');
+    field?.focus();
+    field?.select();
     return () => {
       element.close();
       before?.focus?.();
@@ -56,20 +59,30 @@ export function StepDialog() {
 }
 
 function StepForm({ pending }: { pending: PendingFile }) {
-  const { actions } = useUi().app;
+  const ui = useUi();
+  const { actions } = ui.app;
   const inverse = Math.round(1 / pending.offeredStep);
   const offered = Math.abs(inverse * pending.offeredStep - 1) < 1e-9 && inverse > 1 ? `1/${inverse}` : pending.offeredStep;
   const [step, setStep] = useState<NumberOrExpression>(offered);
-  const seconds = numberOf(step, pending.offeredStep);
+  // Enter commits the field and submits the form before anything is drawn again
+  const latest = useRef<NumberOrExpression>(offered);
+  const commit = (value: NumberOrExpression = offered) => {
+    latest.current = value;
+    setStep(value);
+  };
+  const submit = (event: Event) => {
+    event.preventDefault();
+    if (!ui.rejected.peek().has('file.step')) actions.answerTimeStep(numberOf(latest.current, pending.offeredStep));
+  };
   return (
     <Dialog title={text.file.stepTitle} testId="step-dialog" onClose={() => actions.answerTimeStep(null)}>
-      <form onSubmit={(event) => { event.preventDefault(); actions.answerTimeStep(seconds); }}>
+      <form onSubmit={submit}>
         <p>{text.file.stepAsk(pending.name)}</p>
         <NumberField testId="step-field" symbol="Δt" spec={{
           path: 'file.step', label: text.file.step, unit: 's', angle: false, positive: true, value: step, base: offered, rest: pending.offeredStep,
-          step: 0.001, commit: (value) => setStep(value ?? offered),
+          step: 0.001, commit,
         }} />
-        <p class="hint">{text.file.rowsPerSecond(formatShort(1 / seconds, 5))}</p>
+        <p class="hint">{text.file.rowsPerSecond(formatShort(1 / numberOf(step, pending.offeredStep), 5))}</p>
         <div class="dialog-buttons">
           <button type="submit" class="primary" data-testid="step-accept">{text.file.use}</button>
           <button type="button" data-testid="step-cancel" onClick={() => actions.answerTimeStep(null)}>{text.file.giveUp}</button>

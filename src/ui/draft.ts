@@ -27,6 +27,12 @@ function changed(record: Readonly<Record<string, unknown>> | undefined, name: st
   return Object.keys(next).length > 0 ? next : undefined;
 }
 
+/** Another parameter set; values that it already holds need not be named any more. */
+export function withParameterSet(draft: ScenarioFile, meta: SystemMeta, set: string | undefined): ScenarioFile {
+  const kept = Object.entries(draft.parameters ?? {}).filter(([name, value]) => value !== parameterDefault(meta, set, name));
+  return withKey(withKey(draft, 'parameterSet', set), 'parameters', kept.length > 0 ? Object.fromEntries(kept) : undefined);
+}
+
 /** What a parameter is when the draft does not name it. */
 export function parameterDefault(meta: SystemMeta, set: string | undefined, name: string): number {
   const inSet = set === undefined ? undefined : meta.parameterSets[set]?.[name];

@@ -1,4 +1,5 @@
 /** An expression of t, on a line of its own. */
+import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useState } from 'preact/hooks';
 import { compileExpression } from '../core/scenario/expressions.ts';
 import type { NumberOrExpression } from '../core/scenario/types.ts';
@@ -17,10 +18,12 @@ function problemOf(expression: string): string | null {
   }
 }
 
-export function ExpressionField({ path, symbol, label, unit, value, base, placeholder = '0', testId, commit }: {
+export function ExpressionField({ path, symbol, label, shown = label, unit, value, base, placeholder = '0', testId, commit }: {
   path: string;
   symbol: string;
   label: string;
+  /** The label as it is set, when it holds symbols. */
+  shown?: ComponentChildren;
   unit: string;
   value: NumberOrExpression | undefined;
   base: NumberOrExpression | undefined;
@@ -52,7 +55,7 @@ export function ExpressionField({ path, symbol, label, unit, value, base, placeh
   return (
     <div class="field expression">
       <span class="handle still"><MathSymbol of={symbol} /></span>
-      <label for={id} class="name">{label}, {unit}</label>
+      <label for={id} class="name">{shown}, {unit}</label>
       <span class={`box${error ? ' bad' : ''}`}>
         {String(value ?? '') !== String(base ?? '') && (
           <button type="button" class="dot" title={text.panel.differs(label)} aria-label={text.panel.differs(label)} onClick={() => { settle(null, null); commit(base); }} />

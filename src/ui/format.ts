@@ -90,31 +90,39 @@ export type Parsed =
 
 /** Reads a field. `stored` is what the draft keeps: SI for plain numbers, otherwise the expression, made explicit. */
 export function parseField(typed: string, rules: FieldRules, evaluate: (text: string) => number): Parsed {
-  const text = withoutUnit(plainText(typed), rules);
+  const { text, radians } = withoutUnit(plainText(typed), rules);
   if (text === '') {
     return rules.optional ? { ok: true, stored: undefined, value: undefined } : { ok: false, error: 'needs a number' };
   }
   if (/^[-+]?\d+,\d+$/.test(text)) return { ok: false, error: 'write decimals with a point' };
   const plain = PLAIN.test(text);
-  const unitless = rules.angle && !/[a-z]/i.test(text.replace(/(\d|\.)e[-+]?\d/gi, '$1'));
+  const unitless = rules.angle && !radians && !isExpression(text);
   const expression = unitless ? (plain ? `${text} deg` : `(${text}) deg`) : text;
   let value: number;
   try {
-    value = plain ? Number(text) * (rules.angle ? DEGREE : 1) : evaluate(expression);
+    value = plain ? Number(text) * (unitless ? DEGREE : 1) : evaluate(expression);
   } catch (problem) {
     return { ok: false, error: problem instanceof Error ? problem.message : String(problem) };
   }
   const error = outside(value, rules);
   if (error) return { ok: false, error };
-  const stored = rules.numeric || (plain && !rules.angle) ? value : expression;
+  const stored = rules.numeric || (plain && !unitless) ? value : expression;
   return { ok: true, stored, value };
 }
 
-function withoutUnit(text: string, rules: FieldRules): string {
-  if (rules.angle) return text.replace(/(deg|rad) ?\/ ?s$/i, '$1');
+/** Units may be typed; of those only `deg` changes what an expression means. */
+function withoutUnit(text: string, rules: FieldRules): { text: string; radians: boolean } {
+  if (rules.angle) {
+    const perSecond = text.replace(/(deg|rad) ?\/ ?s$/i, '$1');
+    const bare = perSecond.replace(/ ?(?<![a-z])rad$/i, '');
+    return { text: bare, radians: bare !== perSecond };
+  }
   const unit = rules.unit;
-  return unit && text.endsWith(` ${unit}`) ? text.slice(0, -unit.length).trim() : text;
+  return { text: unit && text.endsWith(` ${unit}`) ? text.slice(0, -unit.length).trim() : text, radians: false };
 }
+
+/** Whether the text of an angle field is not simply a number of degrees. */
+export const isExpression = (text: string): boolean => /[a-zπ]/i.test(text.replace(/(\d|\.)e[-+\u2212]?\d/gi, '$1'));
 
 function outside(value: number, rules: FieldRules): string | null {
   const show = (x: number) => (rules.angle ? `${formatShort(x / DEGREE)}°` : formatShort(x));

@@ -4,6 +4,7 @@ import { Choice, Section } from './controls.tsx';
 import { withEntry, withKey } from './draft.ts';
 import { ExpressionField } from './expressionField.tsx';
 import { NumberField } from './numberField.tsx';
+import { MathSymbol } from './symbol.tsx';
 import { text } from './text.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
@@ -67,7 +68,7 @@ function Track({ control }: { control: TrackControl }) {
   return (
     <>
       {system.meta.inputs.filter((input) => input.tracks).map((input) => (
-        <ExpressionField key={`${system.meta.id}.${input.name}`} path={`control.reference.${input.name}`} symbol={input.symbol} unit={text.panel.reference} label={trackedName(input.tracks!, system.meta.coordinates)}
+        <ExpressionField key={`${system.meta.id}.${input.name}`} path={`control.reference.${input.name}`} symbol={input.symbol} unit={text.panel.reference} label={input.tracks!.join(' + ')} shown={trackedName(input.tracks!, system.meta.coordinates)}
           value={control.reference[input.name]} base={origin?.reference[input.name]} placeholder="–" testId={`reference-${input.name}`} commit={(value) => refer(input.name, value)} />
       ))}
       <NumberField symbol="k_p" spec={gain('kp')} testId="control-kp" />
@@ -77,7 +78,7 @@ function Track({ control }: { control: TrackControl }) {
   );
 }
 
-/** `α + α_fp`, as plain text. */
-function trackedName(tracks: readonly string[], coordinates: readonly { name: string; symbol: string }[]): string {
-  return tracks.map((name) => coordinates.find((c) => c.name === name)?.symbol ?? name).join(' + ');
+/** `α + α_fp`, typeset. */
+function trackedName(tracks: readonly string[], coordinates: readonly { name: string; symbol: string }[]) {
+  return tracks.map((name, i) => <>{i > 0 && ' + '}<MathSymbol of={coordinates.find((c) => c.name === name)?.symbol ?? name} /></>);
 }

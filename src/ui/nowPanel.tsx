@@ -48,10 +48,11 @@ function Row({ coordinate: c, trajectory, time }: { coordinate: CoordinateMeta; 
 }
 
 function Multipliers({ motion, names, time }: { motion: Motion; names: readonly string[]; time: number }) {
-  const roles = new Map(motion.system.contacts.flatMap((c) => [
-    [c.lateral, { part: c.part, label: `${text.now.part[c.part]} ${text.now.lateral}` }],
-    [c.vertical, { part: c.part, label: `${text.now.part[c.part]} ${text.now.vertical}` }],
-  ] as const));
+  const roles = new Map<number, { part: 'front' | 'back'; label: string }>();
+  for (const { part, lateral, vertical } of motion.system.contacts) {
+    roles.set(lateral, { part, label: `${text.now.part[part]} ${text.now.lateral}` });
+    roles.set(vertical, { part, label: `${text.now.part[part]} ${text.now.vertical}` });
+  }
   return (
     <table data-testid="now-multipliers">
       <caption>{text.now.multipliers}</caption>

@@ -1,8 +1,8 @@
 import { useId } from 'preact/hooks';
-import { formatShort, toShown } from './format.ts';
+import { formatQuantity, formatShort, isExpression, toShown } from './format.ts';
 import { MathSymbol } from './symbol.tsx';
 import { text } from './text.ts';
-import { useNumberField } from './useNumberField.ts';
+import { numberOf, useNumberField } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
 /** The box alone: input, unit (drag it to scrub) and the dot that resets. */
@@ -14,6 +14,7 @@ export function NumberBox({ spec, field, testId, placeholder, id }: {
   id: string;
 }) {
   const shownRest = spec.rest === undefined ? '' : formatShort(toShown(spec.rest, spec.angle), 6);
+  const expression = spec.angle && !field.error && isExpression(field.text);
   return (
     <span class={`box${field.error ? ' bad' : ''}`}>
       {field.differs && (
@@ -32,7 +33,11 @@ export function NumberBox({ spec, field, testId, placeholder, id }: {
         placeholder={placeholder ?? shownRest}
         data-testid={testId}
       />
-      {spec.unit && <span class="unit" title={text.panel.scrub} {...field.scrub}>{spec.unit}</span>}
+      {spec.unit && (
+        <span class="unit" title={expression ? `= ${formatQuantity(numberOf(spec.value, NaN), spec.unit)}` : text.panel.scrub} {...field.scrub}>
+          {expression ? spec.unit.replace('°', 'rad') : spec.unit}
+        </span>
+      )}
     </span>
   );
 }

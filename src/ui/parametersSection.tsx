@@ -1,7 +1,7 @@
 import type { ParameterMeta, SystemMeta } from '../core/systems/types.ts';
 import { edit, useUi } from './context.ts';
 import { Choice, Section } from './controls.tsx';
-import { parameterDefault, withEntry, withKey } from './draft.ts';
+import { parameterDefault, withEntry, withParameterSet } from './draft.ts';
 import { NumberField } from './numberField.tsx';
 import { text } from './text.ts';
 import { numberOf } from './useNumberField.ts';
@@ -19,7 +19,7 @@ export function ParametersSection() {
       {sets.length > 1 && (
         <Choice label={text.panel.parameterSet} value={draft.parameterSet ?? sets[0]!} options={sets.map((id) => ({ id, label: id }))} testId="parameter-set"
           error={ui.app.state.draftErrors.value.get('parameterSet')}
-          onChange={(id) => edit(ui, (now) => withKey(now, 'parameterSet', id === sets[0] ? undefined : id))} />
+          onChange={(id) => edit(ui, (now) => withParameterSet(now, meta, id === sets[0] ? undefined : id))} />
       )}
       {groups.map((group) => (
         <fieldset key={group} class="group">

@@ -41,19 +41,14 @@ function StartRow({ coordinate, value, rate }: { coordinate: CoordinateMeta; val
     <div class="start-row">
       <span class="handle" title={text.panel.scrub} {...valueField.scrub}>
         <Chip part={coordinate.part} />
-        <MathSymbol of={coordinate.symbol} />
+        <span class="name"><MathSymbol of={coordinate.symbol} /> {coordinate.label}</span>
       </span>
-      <span class="name">{coordinate.label}</span>
-      <span class="cell">
-        <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
-        <Solved adjustment={value} unit={valueSpec.unit!} />
-      </span>
-      <span class="cell">
-        <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />
-        <Solved adjustment={rate} unit={rateSpec.unit!} />
-      </span>
+      <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
+      <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />
       <FieldError id={valueId} error={valueField.error} />
       <FieldError id={rateId} error={rateField.error} />
+      <Solved adjustment={value} unit={valueSpec.unit!} />
+      <Solved adjustment={rate} unit={rateSpec.unit!} rate />
     </div>
   );
 }
@@ -76,8 +71,8 @@ function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
 }
 
 /** What the last run started from instead. */
-function Solved({ adjustment, unit }: { adjustment: Adjustment | undefined; unit: string }) {
+function Solved({ adjustment, unit, rate = false }: { adjustment: Adjustment | undefined; unit: string; rate?: boolean }) {
   if (!adjustment || adjustment.from === adjustment.to) return null;
   const why = adjustment.named ? text.panel.moved : text.panel.solved;
-  return <span class="solved">→ {formatQuantity(adjustment.to, unit)} ({why})</span>;
+  return <span class={`solved${rate ? ' rate' : ''}`} data-testid={`solved-${adjustment.name}`}>→ {formatQuantity(adjustment.to, unit)} ({why})</span>;
 }

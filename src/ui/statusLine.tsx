@@ -3,6 +3,9 @@ import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
 import { text } from './text.ts';
 
+/** Ends that nothing went wrong in; only the others are red. */
+const EXPECTED: ReadonlySet<string> = new Set(['end', 'cancelled', 'touchdown']);
+
 export function StatusLine() {
   const ui = useUi();
   const motion = ui.app.state.motion.value;
@@ -60,7 +63,7 @@ function RunStanding() {
     );
   }
   if (run?.kind === 'ended') {
-    const failed = run.reason !== 'end' && run.reason !== 'cancelled';
+    const failed = !EXPECTED.has(run.reason);
     return <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>;
   }
   return <span class="standing" data-testid="run-state">{state.motion.value ? '' : text.status.idle}</span>;

@@ -13,6 +13,7 @@ export function SystemSection() {
   const ids = [...new Set([...ui.app.cases.map((c) => c.scenario.system), draft.system])];
   const systems = ids.map((id) => ({ id, label: ui.app.systemOf(id)?.meta.title ?? id }));
   const sets = system.meta.constraintSets;
+  const chosen = sets.find((set) => set.id === (draft.constraints ?? sets[0]!.id));
   const held = draft.hold ?? [];
   const hold = (name: string) => {
     const order = system.meta.coordinates.map((c) => c.name).filter((n) => (n === name) !== held.includes(n));
@@ -25,9 +26,10 @@ export function SystemSection() {
         if (first) replaceDraft(ui, () => ui.app.actions.loadCase(first.id));
       }} />
       {sets.length > 0 && (
-        <Choice label={text.panel.constraints} value={draft.constraints ?? sets[0]!.id} options={sets} error={errors.get('constraints')} testId="constraints"
+        <Choice label={text.panel.constraints} value={draft.constraints ?? sets[0]!.id} options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))} error={errors.get('constraints')} testId="constraints"
           onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))} />
       )}
+      {chosen?.label.includes(': ') && <p class="hint sentence">{chosen.label.split(': ').slice(1).join(': ')}</p>}
       <div class="hold" role="group" aria-label={text.panel.hold}>
         <span class="hold-label" title={text.panel.holdHint}>{text.panel.hold}</span>
         <span class="hold-keys">

@@ -1,0 +1,187 @@
+import type { SystemMeta } from '../systems/types.ts';
+import { Checker, kindOf } from './checker.ts';
+import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS } from './defaults.ts';
+import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type TrackControl } from './types.ts';
+
+type Metas = Readonly<Record<string, SystemMeta>>;
+
+const KEYS = [
+  'version', 'system', 'parameterSet', 'parameters', 'constraints', 'hold', 'initial', 'inputs', 'control', 'at',
+  'method', 'duration', 'outputStep', 'events', 'columns',
+] as const;
+
+/**
+ * A scenario with every default filled in and every constant a number (SI, radians).
+ * @throws ScenarioError with the path of the first offending key and what would be right
+ */
+export function checkScenario(raw: unknown, systems: Metas): Scenario {
+  const { scenario, errors } = check(raw, systems);
+  for (const [path, message] of errors) throw new ScenarioError(path, message);
+  return scenario!;
+}
+
+/** Every error by path; empty when the scenario can run. */
+export function collectScenarioErrors(raw: unknown, systems: Metas): Map<string, string> {
+  return check(raw, systems).errors;
+}
+
+/** Reads JSON text. @throws ScenarioError, also for a syntax error, with its line and column */
+export function parseScenario(text: string, systems: Metas): Scenario {
+  if (text.length > LONGEST_FILE) throw new ScenarioError('', `${text.length} characters are more than a scenario's ${LONGEST_FILE}`);
+  let raw: unknown;
+  try {
+    raw = JSON.parse(text.replace(/^\ufeff/, ''));
+  } catch (error) {
+    throw new ScenarioError('', `not JSON: ${placed((error as Error).message, text)}`);
+  }
+  return checkScenario(raw, systems);
+}
+
+function placed(message: string, text: string): string {
+  const at = /position (\d+)/.exec(message);
+  if (!at) return message;
+  const before = text.slice(0, Number(at[1])).split('\n');
+  const what = message.replace(/ in JSON at position.*$/, '').replace(/ at position.*$/, '');
+  return `${what} at line ${before.length}, column ${before.at(-1)!.length + 1}`;
+}
+
+function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map<string, string> } {
+  const c = new Checker();
+  if (typeof raw !== 'object' || raw === null || Array.isArray(raw)) {
+    c.add('', `a scenario is an object with "version" and "system", not ${kindOf(raw)}`);
+    return { errors: c.errors };
+  }
+  const file = new Map(c.entries('', raw, KEYS));
+  if (file.get('version') !== 1) c.add('version', file.has('version') ? `must be 1, not ${kindOf(file.get('version'))}` : 'is missing; it must be 1');
+  const id = file.has('system') ? c.oneOf('system', file.get('system'), Object.keys(systems)) : c.add('system', `is missing; right would be ${Object.keys(systems).join(', ')}`);
+  if (id === undefined) return { errors: c.errors };
+  const scenario = checkSystem(c, file, id, systems[id]!);
+  return { scenario, errors: c.errors };
+}
+
+function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string, meta: SystemMeta): Scenario {
+  const coordinates = meta.coordinates.map((q) => q.name);
+  const states = [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
+  const inputs = [...meta.inputs.map((i) => i.name), ...coordinates.map((name) => `f_${name}`)];
+  const set = file.get('parameterSet') === undefined ? null : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
+  const sets = meta.constraintSets.map((s) => s.id);
+  const constraints = file.get('constraints') === undefined ? sets[0]! : (c.oneOf('constraints', file.get('constraints'), sets) ?? sets[0]!);
+  const duration = optional(c, file, 'duration', { above: 0, most: LONGEST_DURATION }) ?? DEFAULTS.duration;
+  const outputStep = optional(c, file, 'outputStep', { above: 0 }) ?? DEFAULTS.outputStep;
+  if (duration / outputStep > MOST_ROWS) c.add('outputStep', `${duration} s in steps of ${outputStep} s are more than ${MOST_ROWS} rows; take a larger step`);
+  const events: Scenario['events'] = {};
+  for (const [name, action] of c.entries('events', file.get('events'), EVENT_NAMES)) {
+    const known = c.oneOf(`events.${name}`, action, ['stop', 'ignore']);
+    if (known) events[name] = known as 'stop' | 'ignore';
+  }
+  return {
+    version: 1,
+    system: id,
+    parameterSet: set,
+    parameters: checkParameters(c, file.get('parameters'), meta, set),
+    constraints,
+    hold: c.names('hold', file.get('hold'), coordinates),
+    initial: constants(c, 'initial', file.get('initial'), states),
+    inputs: expressions(c, 'inputs', file.get('inputs'), inputs),
+    control: checkControl(c, file.get('control'), meta, states, inputs),
+    at: constants(c, 'at', file.get('at'), [...states, 'speed']),
+    method: checkMethod(c, file.get('method')),
+    duration,
+    outputStep,
+    events,
+    columns: c.names('columns', file.get('columns'), COLUMN_NAMES),
+  };
+}
+
+function optional(c: Checker, file: ReadonlyMap<string, unknown>, key: string, rule: Parameters<Checker['number']>[2]): number | undefined {
+  return file.get(key) === undefined ? undefined : c.number(key, file.get(key), rule);
+}
+
+function constants(c: Checker, path: string, raw: unknown, known: readonly string[]): Record<string, number> {
+  const result: Record<string, number> = {};
+  for (const [name, value] of c.entries(path, raw, known)) {
+    const number = c.constant(`${path}.${name}`, value);
+    if (number !== undefined) result[name] = number;
+  }
+  return result;
+}
+
+function expressions(c: Checker, path: string, raw: unknown, known: readonly string[]): Record<string, NumberOrExpression> {
+  const result: Record<string, NumberOrExpression> = {};
+  for (const [name, value] of c.entries(path, raw, known)) {
+    if (c.expression(`${path}.${name}`, value, ['t'])) result[name] = value as NumberOrExpression;
+  }
+  return result;
+}
+
+function checkParameters(c: Checker, raw: unknown, meta: SystemMeta, set: string | null): Record<string, number> {
+  const values = Object.fromEntries(meta.parameters.map((p) => [p.name, p.default]));
+  Object.assign(values, set === null ? {} : meta.parameterSets[set]);
+  const named = constants(c, 'parameters', raw, meta.parameters.map((p) => p.name));
+  for (const p of meta.parameters) {
+    const value = named[p.name];
+    if (value === undefined) continue;
+    const rule = { ...(p.positive ? { above: 0 } : {}), ...(p.min === undefined ? {} : { least: p.min }), ...(p.max === undefined ? {} : { most: p.max }) };
+    if (c.number(`parameters.${p.name}`, value, rule) !== undefined) values[p.name] = value;
+  }
+  return values;
+}
+
+function checkMethod(c: Checker, raw: unknown): MethodOptions {
+  const method = new Map(c.entries('method', raw, ['name', 'formulation', 'rtol', 'atol', 'step', 'maxStep', 'stages', 'projection']));
+  const number = (key: string, rule: Parameters<Checker['number']>[2]): number | undefined =>
+    method.get(key) === undefined ? undefined : c.number(`method.${key}`, method.get(key), rule);
+  const name = (key: string, known: readonly string[], byDefault: string): string =>
+    method.get(key) === undefined ? byDefault : (c.oneOf(`method.${key}`, method.get(key), known) ?? byDefault);
+  const projection = method.get('projection') ?? true;
+  if (typeof projection !== 'boolean') c.add('method.projection', `must be true or false, not ${kindOf(projection)}`);
+  const [step, maxStep, stages] = [number('step', { above: 0 }), number('maxStep', { above: 0 }), number('stages', { least: 1, most: 4, integer: true })];
+  return {
+    name: name('name', METHOD_NAMES, DEFAULTS.method),
+    formulation: name('formulation', FORMULATION_NAMES, DEFAULTS.formulation),
+    rtol: number('rtol', { above: 0, most: 1 }) ?? DEFAULTS.rtol,
+    atol: number('atol', { above: 0 }) ?? DEFAULTS.atol,
+    projection: projection === true,
+    ...(step === undefined ? {} : { step }),
+    ...(maxStep === undefined ? {} : { maxStep }),
+    ...(stages === undefined ? {} : { stages }),
+  };
+}
+
+function checkControl(c: Checker, raw: unknown, meta: SystemMeta, states: readonly string[], inputs: readonly string[]): Scenario['control'] {
+  if (raw === undefined || raw === null) return null;
+  const all = new Map(c.entries('control', raw));
+  if (c.errors.has('control')) return null;
+  const type = c.oneOf('control.type', all.get('type'), ['lqr', 'track']);
+  if (type === undefined) return null;
+  const keys = type === 'lqr' ? ['type', 'inputs', 'at', 'Q', 'R', 'limits'] : ['type', 'reference', 'kp', 'kd', 'limits'];
+  const control = new Map(c.entries('control', raw, keys));
+  const limits = constants(c, 'control.limits', control.get('limits'), inputs);
+  for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
+  return type === 'lqr' ? checkLqr(c, control, states, inputs, limits) : checkTrack(c, control, meta, limits);
+}
+
+function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, states: readonly string[], inputs: readonly string[], limits: Record<string, number>): LqrControl {
+  const names = c.names('control.inputs', control.get('inputs'), inputs);
+  if (names.length === 0) c.add('control.inputs', `name at least one input; there are ${inputs.slice(0, 12).join(', ')}`);
+  const Q = constants(c, 'control.Q', control.get('Q'), states);
+  const R = constants(c, 'control.R', control.get('R'), names);
+  for (const [name, value] of Object.entries(Q)) c.number(`control.Q.${name}`, value, { least: 0 });
+  for (const [name, value] of Object.entries(R)) c.number(`control.R.${name}`, value, { above: 0 });
+  return {
+    type: 'lqr',
+    inputs: names,
+    at: constants(c, 'control.at', control.get('at'), [...states, 'speed']),
+    ...(control.get('Q') === undefined ? {} : { Q }),
+    R,
+    limits,
+  };
+}
+
+function checkTrack(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta, limits: Record<string, number>): TrackControl {
+  const followers = meta.inputs.filter((i) => i.tracks).map((i) => i.name);
+  const reference = expressions(c, 'control.reference', control.get('reference'), followers);
+  if (control.get('reference') === undefined) c.add('control.reference', `is missing; it names what an input follows, by ${followers.join(', ')}`);
+  const gain = (key: 'kp' | 'kd'): number => c.number(`control.${key}`, control.get(key), { least: 0 }) ?? 0;
+  return { type: 'track', reference, kp: gain('kp'), kd: gain('kd'), limits };
+}

@@ -1,10 +1,17 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { point } from '../../src/cli/point.ts';
+import { point, type PointReport } from '../../src/cli/point.ts';
 import { systems } from '../../src/core/systems/registry.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
-const read = (name: string) => JSON.parse(readFileSync(new URL(`../reference/${name}`, import.meta.url), 'utf8'));
+const read = <T>(name: string): T[] => JSON.parse(readFileSync(new URL(`../reference/${name}`, import.meta.url), 'utf8')) as T[];
+
+type PointReference = PointReport & { scenario: { constraints: string } };
+interface RunReference {
+  scenario: object;
+  columns: string[];
+  rows: number[][];
+}
 
 /** Largest difference over the largest entry. */
 function relative(actual: readonly number[], expected: readonly number[]): number {
@@ -13,9 +20,9 @@ function relative(actual: readonly number[], expected: readonly number[]): numbe
   return Math.max(0, ...expected.map((x, i) => Math.abs(x - actual[i]!))) / scale;
 }
 
-test.each((read('ripstik-points.json') as { scenario: { constraints: string } }[]).map((p, i) => [i, p.scenario.constraints, p] as const))(
+test.each(read<PointReference>('ripstik-points.json').map((p, i) => [i, p.scenario.constraints, p] as const))(
   'point %i (%s): consistent start, mass matrix, accelerations, multipliers, energies, positions',
-  (_i, _constraints, expected: any) => {
+  (_i, _constraints, expected) => {
     const actual = point(scenarioOf(expected.scenario), systems['ripstik']!);
     expect(relative(actual.q, expected.q)).toBeLessThan(1e-9);
     expect(relative(actual.v, expected.v)).toBeLessThan(1e-9);
@@ -28,12 +35,12 @@ test.each((read('ripstik-points.json') as { scenario: { constraints: string } }[
   },
 );
 
-test.each((read('ripstik-runs.json') as any[]).map((r, i) => [i, r] as const))('run %i within 1e-6 at every sample at rtol 1e-10', (_i, expected) => {
+test.each(read<RunReference>('ripstik-runs.json').map((r, i) => [i, r] as const))('run %i within 1e-6 at every sample at rtol 1e-10', (_i, expected) => {
   const run = runOf({ ...expected.scenario, method: { rtol: 1e-10 } });
   expect(run.rows).toBe(expected.rows.length);
   let worst = 0;
-  expected.columns.forEach((name: string, c: number) =>
-    expected.rows.forEach((row: number[], k: number) => (worst = Math.max(worst, Math.abs(row[c]! - run.columns.get(name)![k]!)))),
+  expected.columns.forEach((name, c) =>
+    expected.rows.forEach((row, k) => (worst = Math.max(worst, Math.abs(row[c]! - run.columns.get(name)![k]!)))),
   );
   expect(worst).toBeLessThan(1e-6);
 });

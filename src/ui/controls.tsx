@@ -21,11 +21,13 @@ export function Choice({ label, value, options, disabled, error, testId, onChang
   onChange(id: string): void;
 }) {
   const id = useId();
+  // a scenario may name what this page does not offer: it is shown, and its error says so
+  const all = options.some((option) => option.id === value) ? options : [...options, { id: value, label: value }];
   return (
     <div class="choice">
       <label for={id}>{label}</label>
       <select id={id} value={value} disabled={disabled} aria-invalid={error ? 'true' : undefined} data-testid={testId} onChange={(event) => onChange(event.currentTarget.value)}>
-        {options.map((option) => <option key={option.id} value={option.id}>{option.label}</option>)}
+        {all.map((option) => <option key={option.id} value={option.id}>{option.label}</option>)}
       </select>
       {error && <span class="error">{error}</span>}
     </div>

@@ -1,4 +1,5 @@
 import type { NumberOrExpression, TrackControl } from '../core/scenario/types.ts';
+import type { InputMeta } from '../core/systems/types.ts';
 import { edit, useUi } from './context.ts';
 import { Choice, Section } from './controls.tsx';
 import { withEntry, withKey } from './draft.ts';
@@ -11,9 +12,13 @@ import type { NumberSpec } from './useNumberField.ts';
 export function InputsSection() {
   const ui = useUi();
   const system = ui.system.value;
-  const inputs = system?.meta.inputs ?? [];
-  if (!system || inputs.length === 0) return null;
   const draft = ui.app.state.draft.value;
+  if (!system) return null;
+  const named = new Set(system.meta.inputs.map((input) => input.name));
+  // raw generalized forces are offered only where the scenario has them
+  const raw = Object.keys(draft.inputs ?? {}).filter((name) => !named.has(name)).map((name) => ({ name, symbol: name, label: text.panel.rawForce, unit: text.panel.siUnit }));
+  const inputs: readonly Pick<InputMeta, 'name' | 'symbol' | 'label' | 'unit'>[] = [...system.meta.inputs, ...raw];
+  if (inputs.length === 0) return null;
   return (
     <Section title={text.panel.inputs}>
       {inputs.map((input) => (

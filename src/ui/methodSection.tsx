@@ -1,3 +1,4 @@
+import { DEFAULTS } from '../core/scenario/defaults.ts';
 import type { MethodOptions } from '../core/scenario/types.ts';
 import { edit, useUi } from './context.ts';
 import { Check, Choice, Section } from './controls.tsx';
@@ -6,9 +7,7 @@ import { NumberField } from './numberField.tsx';
 import { text } from './text.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
-/** Defaults of a scenario's method. */
-export const methodDefaults = { name: 'dopri5', formulation: 'multipliers', rtol: 1e-8, atol: 1e-10, projection: true } as const;
-const timeDefaults = { duration: 10, outputStep: 0.01 } as const;
+const methodDefaults = { name: DEFAULTS.method, formulation: DEFAULTS.formulation, rtol: DEFAULTS.rtol, atol: DEFAULTS.atol, projection: true } as const;
 
 export function MethodSection() {
   const ui = useUi();
@@ -21,7 +20,7 @@ export function MethodSection() {
     edit(ui, (draft) => withMethod(draft, key, value === (methodDefaults as Partial<MethodOptions>)[key] ? undefined : value));
   const spec = (key: 'rtol' | 'atol' | 'step' | 'maxStep', standard?: number): NumberSpec => ({
     path: `method.${key}`, label: text.panel[key], angle: false, numeric: true, positive: true, unit: key === 'step' || key === 'maxStep' ? 's' : '',
-    optional: true, value: method[key] ?? standard, base: base?.[key] ?? standard, rest: standard, step: standard ? standard : 0.001,
+    max: key === 'rtol' ? 1 : undefined, optional: true, value: method[key] ?? standard, base: base?.[key] ?? standard, rest: standard, step: standard ? standard : 0.001,
     commit: (value) => set(key, value as number | undefined),
   });
   return (
@@ -45,8 +44,8 @@ export function TimeSection() {
   const origin = ui.origin.value?.scenario;
   const spec = (key: 'duration' | 'outputStep'): NumberSpec => ({
     path: key, label: text.panel[key], unit: 's', angle: false, numeric: true, positive: true,
-    value: draft[key] ?? timeDefaults[key], base: origin?.[key] ?? timeDefaults[key], rest: timeDefaults[key], step: key === 'duration' ? 1 : 0.001,
-    commit: (value) => edit(ui, (now) => withKey(now, key, value === timeDefaults[key] ? undefined : (value as number))),
+    value: draft[key] ?? DEFAULTS[key], base: origin?.[key] ?? DEFAULTS[key], rest: DEFAULTS[key], step: key === 'duration' ? 1 : 0.001,
+    commit: (value) => edit(ui, (now) => withKey(now, key, value === DEFAULTS[key] ? undefined : (value as number))),
   });
   const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
   return (

@@ -1,4 +1,5 @@
 /** One line that is always there: how the numbers were made and whether to trust them. */
+import { DEFAULTS } from '../core/scenario/defaults.ts';
 import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
 import { text } from './text.ts';
@@ -23,11 +24,11 @@ function RunFacts() {
   const { state } = ui.app;
   const statistics = state.statistics.value;
   const method = (state.motion.value?.scenario ?? state.draft.value).method;
-  const name = method?.name ?? 'dopri5';
+  const name = method?.name ?? DEFAULTS.method;
   const words = text.status;
   return (
     <>
-      <span title={method?.formulation ?? 'multipliers'}>{name}</span>
+      <span title={method?.formulation ?? DEFAULTS.formulation}>{name}</span>
       <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
       <span title={words.energyTitle}>{words.energy} <b data-testid="energy">{statistics ? formatScientific(statistics.energyDrift) : '–'}</b></span>
       <span title={words.residualTitle}>{words.residual} <b data-testid="residual">{statistics ? formatScientific(statistics.residual, 0) : '–'}</b></span>

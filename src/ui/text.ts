@@ -13,6 +13,7 @@ export const text = {
     value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation',
     rtol: 'relative tolerance', atol: 'absolute tolerance', step: 'step (first step if adaptive)', maxStep: 'largest step', auto: 'auto',
     projection: 'Project every step and sample onto the constraints', inputs: 'Inputs', inputsHint: 'Numbers or expressions of t, e.g. 0.1*sin(2*pi*t).',
+    rawForce: 'generalized force', siUnit: 'SI',
     control: 'Control', controlKind: 'Controller', controlNone: 'None', controlTrack: 'Track a reference', controlLqr: 'LQR (from the scenario)',
     reference: 'reference', kp: 'proportional gain', kd: 'derivative gain', trackHint: 'References are expressions of t, e.g. 20 deg * sin(2*pi*1.5*t).',
     lqrNote: (inputs: string) => `State feedback on ${inputs}, as the scenario says.`, run: 'Run', time: 'Time and events', duration: 'duration',

@@ -60,6 +60,7 @@ export function createApp(workers: Workers, prefersDark: boolean): App {
     seek: (time) => void (state.time.value = clampTime(state, time)),
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
+    report: (kind, title, details) => messages.add(kind, title, details),
   };
   return {
     state,

@@ -123,6 +123,8 @@ export interface AppActions {
   /** Moves by whole rows. */
   stepRows(rows: number): void;
   dismiss(messageId: number): void;
+  /** Tells the person something that happened outside the store. */
+  report(kind: Message['kind'], title: string, details: readonly string[]): void;
 }
 
 export interface CaseInfo {

@@ -4,31 +4,43 @@ export interface BodyPart {
   part: 'board' | 'front' | 'back';
 }
 
-/** One moment, ready to draw. */
-export interface Frame {
-  time: number;
-  /** 12 numbers per body: position, then rotation matrix by rows (body to world), Z up. */
-  poses: Float64Array;
-  /** Rolled angle of each wheel (rad), keyed by body order; empty when unknown. */
-  wheelAngles: Float64Array;
-  /** Constraint forces: world origin and vector in N, or empty. */
-  forces: readonly { part: 'front' | 'back'; kind: 'lateral' | 'vertical'; origin: readonly [number, number, number]; vector: readonly [number, number, number] }[];
+/** Text of a .mdl (OBJ) and a .mat (MTL) file. */
+export interface MeshPair {
+  mdl: string;
+  mat: string;
 }
 
-/** Ground tracks so far: x, y, z triples per skate, times rising; views into growing arrays. */
+/** What a stage is set with: bodies in the order of their poses, and where wheels turn. */
+export interface Cast {
+  parts: readonly BodyPart[];
+  models: readonly MeshPair[];
+  /** Wheel centre of each body in its frame (m); unused for bodies without a `wheel` group. */
+  hubs: readonly (readonly [number, number, number])[];
+}
+
+/** One moment, ready to draw. World: right-handed, Z up, metres. */
+export interface Frame {
+  time: number;
+  /** 12 numbers per body: position, then rotation matrix by rows (body to world). */
+  poses: Float64Array;
+  /** Rolled angle (rad) by body. */
+  wheelAngles: ReadonlyMap<number, number>;
+  /** Constraint forces: world origin (m) and vector (N). */
+  forces: readonly {
+    part: 'front' | 'back';
+    kind: 'lateral' | 'vertical';
+    origin: readonly [number, number, number];
+    vector: readonly [number, number, number];
+  }[];
+  trails: readonly Trail[];
+}
+
+/** Ground track of a skate point: 3 floats per point, times rising; arrays are replaced when they grow. */
 export interface Trail {
   part: 'front' | 'back';
-  /** 3 floats per point. */
   points: Float32Array;
   times: Float64Array;
   count: number;
-}
-
-export interface MeshPair {
-  /** Text of the .mdl (OBJ) file. */
-  mdl: string;
-  /** Text of the .mat (MTL) file. */
-  mat: string;
 }
 
 export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';

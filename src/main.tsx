@@ -1,29 +1,27 @@
-import { effect, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import { render } from 'preact';
 import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
 import { formulations, methods } from './core/integrators/registry.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
-import './ui/style.css';
 
 const app = createApp(
   {
     run: () => new Worker(new URL('./worker/run.worker.ts', import.meta.url), { type: 'module' }),
     csv: () => new Worker(new URL('./io/csv.worker.ts', import.meta.url), { type: 'module' }),
   },
-  matchMedia('(prefers-color-scheme: dark)').matches,
+  { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches },
 );
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
-
-effect(() => void (document.documentElement.dataset['theme'] = app.state.theme.value));
 
 render(
   <Shell
     app={app}
     methods={methods.map(({ id, label, adaptive }) => ({ id, label, adaptive }))}
     formulations={formulations}
+    origin={app.state.origin}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}
@@ -31,4 +29,4 @@ render(
   document.getElementById('app')!,
 );
 
-app.actions.run();
+app.actions.open();

@@ -73,7 +73,9 @@ export class FileOpener {
 
   private readScenario(name: string, text: string): void {
     parseScenario(text, this.context.metas);
-    this.context.state.draft.value = JSON.parse(text) as ScenarioFile;
+    const scenario = JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile;
+    this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
+    this.context.state.draft.value = scenario;
     this.context.messages.add('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
     this.context.runDraft();
   }

@@ -12,7 +12,7 @@ import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
 import { samples } from './samples.ts';
-import type { App, AppActions, AppState, Motion } from './types.ts';
+import type { App, AppActions, AppState, CaseInfo, Motion } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
 
@@ -22,16 +22,20 @@ export interface Workers {
   csv(): Worker;
 }
 
+/** What the person's system asks of every page. */
+export interface Preferences {
+  dark: boolean;
+  reducedMotion: boolean;
+}
+
 /** The application: state as signals, and the only code that changes it. */
-export function createApp(workers: Workers, prefersDark: boolean): App {
-  const state = initialState(prefersDark);
+export function createApp(workers: Workers, preferences: Preferences): App {
+  const state = initialState(preferences.dark);
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
   const runs = new Runs(state, client, messages);
   const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
-  let origin: ScenarioFile = state.draft.peek();
-
   runPlaybackClock(state, {
     start: () => state.motion.peek()?.trajectory.start ?? 0,
     end: () => state.motion.peek()?.trajectory.end ?? 0,
@@ -39,13 +43,14 @@ export function createApp(workers: Workers, prefersDark: boolean): App {
   });
 
   const actions: AppActions = {
+    open: () => runs.run(!preferences.reducedMotion),
     run: () => runs.run(),
     cancel: () => client.cancel(),
-    reset: () => void (state.draft.value = origin),
+    reset: () => void (state.draft.value = state.origin.peek().scenario),
     loadCase(id) {
-      const found = cases.find((c) => c.id === id);
+      const found = caseInfos.find((c) => c.id === id);
       if (!found) return;
-      origin = found.scenario;
+      state.origin.value = found;
       state.draft.value = found.scenario;
       runs.run();
     },
@@ -65,16 +70,19 @@ export function createApp(workers: Workers, prefersDark: boolean): App {
   return {
     state,
     actions,
-    cases: cases.map(({ id, title, look, scenario }) => ({ id, title, summary: look, scenario })),
+    cases: caseInfos,
     samples,
     systemOf: (id) => systemViews[id],
   };
 }
 
+const caseInfos: readonly CaseInfo[] = cases.map(({ id, title, look, scenario }) => ({ id, title, summary: look, scenario }));
+
 function initialState(prefersDark: boolean): AppState {
-  const draft = signal<ScenarioFile>(cases[0]!.scenario);
+  const draft = signal<ScenarioFile>(caseInfos[0]!.scenario);
   return {
     draft,
+    origin: signal(caseInfos[0]!),
     draftErrors: computed(() => collectScenarioErrors(draft.value, systemMetas)),
     motion: signal(null),
     rowsVersion: signal(0),
@@ -159,8 +167,8 @@ class Runs {
     state.playing.value = true;
   }
 
-  /** Runs the draft; a refusal leaves everything as it was. */
-  run(): void {
+  /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
+  run(autoplay = true): void {
     const { state, messages } = this;
     const draft = state.draft.peek();
     let scenario;
@@ -171,7 +179,8 @@ class Runs {
       messages.add('error', 'The scenario cannot run', [error.message]);
       return;
     }
-    const title = cases.find((c) => c.scenario === draft)?.title ?? 'Run';
+    const origin = state.origin.peek();
+    const title = origin.scenario === draft ? origin.title : `${origin.title}, changed`;
     let motion: Motion | null = null;
     this.client.start(scenario, {
       started: (columns, adjustments, notes) => {
@@ -194,7 +203,7 @@ class Runs {
       },
       rows: (columns, rows, time, counts) => {
         motion!.trajectory.append(columns, rows);
-        this.adopt(motion!);
+        this.adopt(motion!, autoplay);
         state.rowsVersion.value++;
         this.count(counts);
         if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
@@ -215,12 +224,12 @@ class Runs {
   }
 
   /** The new motion takes the stage with its first rows, never empty: there is no stale or blank frame between. */
-  private adopt(motion: Motion): void {
+  private adopt(motion: Motion, autoplay: boolean): void {
     const { state } = this;
     if (state.motion.peek()?.id === motion.id) return;
     state.time.value = 0;
     state.motion.value = motion;
-    state.playing.value = true;
+    state.playing.value = autoplay;
   }
 
   private count(counts: RunCounts): void {

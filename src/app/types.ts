@@ -76,6 +76,8 @@ export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
 export interface AppState {
   // --- the experiment being edited
   draft: Signal<ScenarioFile>;
+  /** What the draft came from: a built-in case, or an opened scenario file. `reset` goes back to it. */
+  origin: Signal<CaseInfo>;
   /** The error of each draft key that is not right, by path; empty when the draft can run. */
   draftErrors: ReadonlySignal<ReadonlyMap<string, string>>;
   // --- what is being watched
@@ -105,6 +107,8 @@ export interface AppState {
 }
 
 export interface AppActions {
+  /** First run of a visit: plays by itself unless the person asks for less motion. */
+  open(): void;
   run(): void;
   cancel(): void;
   /** Back to the case the draft came from. */

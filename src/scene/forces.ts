@@ -9,7 +9,7 @@ const SHORTEST = 0.004;
 const UP = new THREE.Vector3(0, 1, 0);
 
 /** Thin for lateral, thick for vertical. */
-const RADIUS = { lateral: 0.003, vertical: 0.006 } as const;
+const RADIUS = { lateral: 0.002, vertical: 0.004 } as const;
 
 class Arrow {
   readonly group = new THREE.Group();

@@ -6,7 +6,7 @@ export class Lights {
   readonly group = new THREE.Group();
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0xffffff, 1.5);
   private readonly key = new THREE.DirectionalLight(0xffffff, 2.4);
-  private readonly fill = new THREE.DirectionalLight(0xffffff, 0.7);
+  private readonly fill = new THREE.DirectionalLight(0xffffff, 1.1);
   private readonly keyOffset = new THREE.Vector3(0.9, -1.3, 3.2);
 
   constructor() {

@@ -21,6 +21,6 @@ export const palettes: Readonly<Record<'light' | 'dark', Palette>> = {
   },
   dark: {
     background: '#14171c', ground: '#1b1f26', fineLine: '#2a303a', strongLine: '#434c5a', label: '#8d98a8',
-    front: '#f0a030', back: '#56b4e9', board: '#9aa5b5', sky: '#dfe8f5', bounce: '#3a3f48', shadow: 0.55, exposure: 1.05,
+    front: '#f0a030', back: '#56b4e9', board: '#9aa5b5', sky: '#dfe8f5', bounce: '#747c8a', shadow: 0.55, exposure: 1.05,
   },
 };

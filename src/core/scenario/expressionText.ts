@@ -1,0 +1,113 @@
+import { several, unary } from './expressionTerms.ts';
+
+/** A text that is no allowed expression: what is wrong, where, what would be right. */
+export class ExpressionError extends Error {
+  /** 0-based character in the text as given, or null when it concerns the whole. */
+  readonly position: number | null;
+  constructor(message: string, position: number | null = null) {
+    super(position === null ? message : `${message} (at character ${position + 1})`);
+    this.name = 'ExpressionError';
+    this.position = position;
+  }
+}
+
+export const MOST_CHARACTERS = 1000;
+/** Brackets, exponents, signs and conditions within each other. */
+export const MOST_DEPTH = 60;
+
+/** Names that stand for a number. */
+export const constants: ReadonlyMap<string, number> = new Map([
+  ['pi', Math.PI],
+  ['tau', 2 * Math.PI],
+  ['e', Math.E],
+  ['deg', Math.PI / 180],
+  ['rad', 1],
+]);
+
+/** Characters that keyboards, documents and other programs bring. */
+const SPELLINGS = new Map([
+  ['−', '-'], ['–', '-'], ['×', '*'], ['·', '*'], ['⋅', '*'], ['÷', '/'],
+  ['π', ' pi '], ['°', ' deg '], ['º', ' deg '], ['²', '^2'], ['³', '^3'], ['≤', '<='], ['≥', '>='], ['≠', '!='],
+  ['\t', ' '], ['\u00a0', ' '], ['\u2009', ' '], ['\u202f', ' '],
+]);
+
+const TOKEN = /\s+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[A-Za-z_]\w*|<=|>=|==|!=|[-+*/^<>?:(),]/y;
+
+/** What a person may have meant by a character that has no place here. */
+const ODD = new Map([
+  ['=', 'an assignment or definition is not allowed; == compares'],
+  ['%', '"%" is not understood; write mod(a, b), or divide by 100'],
+  ['!', 'a factorial is not understood'],
+  ['.', 'a "." stands only within a number'],
+  ['[', 'lists and indices are not allowed'],
+  ['{', 'objects are not allowed'],
+  ['"', 'texts are not allowed'],
+  ["'", 'texts are not allowed'],
+  [';', 'one expression only'],
+  ['\n', 'one line only'],
+  ['\r', 'one line only'],
+]);
+
+/** The text in plain characters, and where each came from. */
+export interface PlainText {
+  text: string;
+  /** Position in the original text of a position in the plain one. */
+  origin(at: number): number;
+}
+
+/**
+ * Spells a text plainly and looks at every character, bracket and name before a parser sees it: what gets past is
+ * short, shallow and names only what is known.
+ * @throws ExpressionError
+ */
+export function plainText(original: string, variables: readonly string[]): PlainText {
+  if (original.length > MOST_CHARACTERS) throw new ExpressionError(`${original.length} characters are more than the ${MOST_CHARACTERS} allowed`);
+  if (original.trim() === '') throw new ExpressionError('it is empty; a number or an expression is needed');
+  let text = '';
+  const from: number[] = [];
+  for (let i = 0; i < original.length; i++) {
+    const power = original.startsWith('**', i);
+    const piece = power ? '^' : (SPELLINGS.get(original[i]!) ?? original[i]!);
+    for (let k = 0; k < piece.length; k++) from.push(i);
+    text += piece;
+    if (power) i++;
+  }
+  const plain = { text, origin: (at: number) => from[at] ?? original.length };
+  scan(plain, original, variables);
+  return plain;
+}
+
+function scan({ text, origin }: PlainText, original: string, variables: readonly string[]): void {
+  let open = 0;
+  let nested = 0;
+  let run = 0;
+  for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
+    TOKEN.lastIndex = at;
+    const token = TOKEN.exec(text)?.[0];
+    if (token === undefined) {
+      const odd = original[origin(at)]!;
+      throw new ExpressionError(ODD.get(odd) ?? `"${odd}" has no place in an expression`, origin(at));
+    }
+    if (token === '(') open++;
+    if (token === ')' && --open < 0) throw new ExpressionError('a ")" without its "("', origin(at));
+    if (token === ',' && open === 0) throw new ExpressionError('a "," has no place here; decimals are written with a point', origin(at));
+    if (token === '?') nested++;
+    // A run of signs and exponents is read by recursion; anything else between them but a number ends it.
+    run = /^[-+^]$/.test(token) ? run + 1 : /^[\s\d.]/.test(token) ? run : 0;
+    if (open + nested > MOST_DEPTH || run > 2 * MOST_DEPTH) throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
+    if (/^[A-Za-z_]/.test(token)) checkName(token, /^\s*\(/.test(text.slice(TOKEN.lastIndex)), origin(at), variables);
+  }
+  if (open > 0) throw new ExpressionError(open === 1 ? 'a ")" is missing' : `${open} ")" are missing`, original.length);
+}
+
+function checkName(name: string, called: boolean, position: number, variables: readonly string[]): void {
+  const isFunction = unary.has(name) || several.has(name);
+  const isNumber = variables.includes(name) || constants.has(name);
+  if (called ? isFunction : isNumber) return;
+  const shown = name.length > 40 ? `${name.slice(0, 39)}…` : name;
+  if (called && isNumber) throw new ExpressionError(`"${name}" is not a function; write ${name} * (…)`, position);
+  if (called) throw new ExpressionError(`unknown function "${shown}"; known: ${[...unary.keys(), ...several.keys()].join(', ')}`, position);
+  if (isFunction) throw new ExpressionError(`"${name}" is a function; write ${name}(…)`, position);
+  if (name === 't') throw new ExpressionError('this is a constant, so "t" has no place in it', position);
+  throw new ExpressionError(`unknown name "${shown}"; known: ${[...variables, ...constants.keys()].join(', ')}`, position);
+}

@@ -85,7 +85,7 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
     TOKEN.lastIndex = at;
     const token = TOKEN.exec(text)?.[0];
     if (token === undefined) {
-      const odd = original[origin(at)]!;
+      const odd = String.fromCodePoint(original.codePointAt(origin(at))!);
       throw new ExpressionError(ODD.get(odd) ?? `"${odd}" has no place in an expression`, origin(at));
     }
     if (token === '(') open++;

@@ -1,4 +1,5 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
+import { luFactor, luSolve } from '../linalg/lu.ts';
 import type { ContactMeta, System } from '../systems/types.ts';
 import { ConstrainedSystem } from './constrainedSystem.ts';
 import { Projection } from './projection.ts';
@@ -104,13 +105,15 @@ function solveContact(system: System, parameters: Float64Array, set: string, con
   const zero = new Float64Array(q.length);
   const J = new Float64Array(k * k);
   const step = new Float64Array(k);
+  const pivots = new Int32Array(k);
   dynamics.refreshHeights(q);
   let size = maxAbs(dynamics.heights);
   for (let iteration = 0; iteration < 50 && size > HEIGHT_GOAL; iteration++) {
     dynamics.refreshOmega(q, zero);
     contact.rows.forEach((row, r) => index.forEach((c, s) => (J[r * k + s] = dynamics.omega[row * q.length + c]!)));
     for (let r = 0; r < k; r++) step[r] = -dynamics.heights[r]!;
-    if (!solveDense(J, k, step)) break;
+    if (!luFactor(J, k, pivots)) break;
+    luSolve(J, k, pivots, step);
     const before = index.map((c) => q[c]!);
     let damping = 1;
     let next = Infinity;
@@ -179,25 +182,4 @@ function pseudoSolve(Y: readonly Float64Array[], b: Float64Array): Float64Array 
     for (let r = 0; r < m; r++) w[r]! += (V[r * m + e]! * part) / value;
   }
   return w;
-}
-
-/** Gaussian elimination with partial pivoting in place; false when singular. */
-function solveDense(A: Float64Array, n: number, b: Float64Array): boolean {
-  for (let c = 0; c < n; c++) {
-    let p = c;
-    for (let r = c + 1; r < n; r++) if (Math.abs(A[r * n + c]!) > Math.abs(A[p * n + c]!)) p = r;
-    if (!(Math.abs(A[p * n + c]!) > 1e-14)) return false;
-    for (let k = 0; k < n; k++) [A[c * n + k], A[p * n + k]] = [A[p * n + k]!, A[c * n + k]!];
-    [b[c], b[p]] = [b[p]!, b[c]!];
-    for (let r = c + 1; r < n; r++) {
-      const f = A[r * n + c]! / A[c * n + c]!;
-      for (let k = c; k < n; k++) A[r * n + k]! -= f * A[c * n + k]!;
-      b[r]! -= f * b[c]!;
-    }
-  }
-  for (let r = n - 1; r >= 0; r--) {
-    for (let k = r + 1; k < n; k++) b[r]! -= A[r * n + k]! * b[k]!;
-    b[r]! /= A[r * n + r]!;
-  }
-  return true;
 }

@@ -5,7 +5,7 @@ import type { Forcing } from './constrainedSystem.ts';
 
 /** All inputs a scenario drives: their names, and the forces and values at a moment. */
 export interface Actuation {
-  /** Inputs that are driven by an expression or a controller, in the order of their values. */
+  /** The system's named inputs, then raw forces that are driven; in the order of their values. */
   readonly names: readonly string[];
   /** Adds B u onto `force`. */
   readonly forcing: Forcing | null;
@@ -39,25 +39,27 @@ export function actuationOf(scenario: Scenario, meta: SystemMeta): Actuation {
   if (control?.type === 'lqr') {
     throw new ScenarioError('control.type', '"lqr" is not available in this version; "track" is, or leave control out');
   }
-  const parts: { input: InputMeta; signal: Signal }[] = [];
+  const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
     const signal = total(openLoop(scenario, input), control ? tracking(control, input, meta) : null);
-    if (signal) parts.push({ input, signal });
+    // The named inputs are always there, so that a file of a run with inputs has the same columns for every run.
+    if (signal || meta.inputs.includes(input)) parts.push({ input, signal });
   }
   const columns = parts.map(({ input }) =>
     Object.entries(input.column).map(([name, weight]) => ({ index: meta.coordinates.findIndex((c) => c.name === name), weight })),
   );
   const values = (t: number, q: Float64Array, v: Float64Array, out: Float64Array): void => {
-    for (let i = 0; i < parts.length; i++) out[i] = parts[i]!.signal(t, q, v);
+    for (let i = 0; i < parts.length; i++) out[i] = parts[i]!.signal?.(t, q, v) ?? 0;
   };
+  const driven = [...parts.keys()].filter((i) => parts[i]!.signal);
   const forcing: Forcing = (t, q, v, force) => {
-    for (let i = 0; i < parts.length; i++) {
-      const u = parts[i]!.signal(t, q, v);
+    for (const i of driven) {
+      const u = parts[i]!.signal!(t, q, v);
       const column = columns[i]!;
       for (let k = 0; k < column.length; k++) force[column[k]!.index]! += column[k]!.weight * u;
     }
   };
-  return { names: parts.map((p) => p.input.name), forcing: parts.length > 0 ? forcing : null, values };
+  return { names: parts.map((p) => p.input.name), forcing: driven.length > 0 ? forcing : null, values };
 }
 
 function total(open: Signal | null, closed: Signal | null): Signal | null {

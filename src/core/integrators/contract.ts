@@ -10,6 +10,8 @@ export interface OdeProblem {
   readonly dimension: number;
   /** f(t, y) into `out`; false where it has no value, with the reason in `failure`. */
   derivative(t: number, y: Float64Array, out: Float64Array): boolean;
+  /** Exact df/dy (dimension x dimension, row-major) where the problem has one; implicit methods else use differences. */
+  jacobian?(t: number, y: Float64Array, out: Float64Array): boolean;
   readonly failure: string | null;
 }
 
@@ -29,6 +31,8 @@ export interface StepperOptions {
   /** Fixed-step methods: the step. Adaptive ones: the first step (chosen when absent). s */
   step?: number;
   maxStep?: number;
+  /** Collocation methods. */
+  stages?: number;
 }
 
 export interface Stepper {

@@ -12,14 +12,19 @@ export function writeNumber(x: number): string {
   return exponent === undefined ? trimmed : `${trimmed}e${exponent}`;
 }
 
-const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 /** Value of a cell, or NaN for anything that is not a plain decimal number. Accepts a minus sign as typeset. */
 export function readNumber(text: string, decimalComma: boolean): number {
-  // The quick way covers nearly every cell; Number() alone would also take '', hex and Infinity.
-  const value = +text;
-  if (value === value && text !== '' && value !== Infinity && value !== -Infinity && !/[xob]/i.test(text)) return value;
+  // The quick way covers nearly every cell; Number() alone would also take blanks, 0x1f and Infinity.
+  const first = text.charCodeAt(0);
+  const second = text.charCodeAt(1) | 32;
+  if (!decimalComma && first >= 43 && first <= 57 && second !== 120 && second !== 98 && second !== 111) {
+    const value = +text;
+    if (value - value === 0) return value;
+  }
   let clean = text.trim().replace(/^[−–]/, '-');
-  if (decimalComma) clean = clean.replace(',', '.');
+  // In such a file a point would group thousands, or not: it is not guessed.
+  if (decimalComma) clean = clean.includes('.') ? '' : clean.replace(',', '.');
   return PLAIN.test(clean) && Number.isFinite(+clean) ? +clean : NaN;
 }

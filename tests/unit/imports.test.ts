@@ -12,7 +12,8 @@ const MAY_IMPORT: Record<string, readonly string[]> = {
   cli: ['core', 'io'],
   app: ['core', 'io', 'worker'],
   ui: ['core', 'app'],
-  main: ['core', 'io', 'worker', 'scene', 'charts', 'app', 'ui'],
+  sceneBridge: ['core', 'scene', 'app'],
+  main: ['core', 'io', 'worker', 'sceneBridge', 'charts', 'app', 'ui'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts' };

@@ -1,11 +1,13 @@
-import type { SystemMeta } from '../core/systems/types.ts';
 import { writeNumber } from './numbers.ts';
 import { CsvReader, type CsvOptions, type CsvResult } from './csvReader.ts';
 
-export type { CsvOptions, CsvResult, CsvIssue } from './csvReader.ts';
+export { CsvReader, type CsvIssue, type CsvOptions, type CsvResult } from './csvReader.ts';
 
 /** Rows joined into one piece of text; joining all at once would hold every line of a large run in memory twice. */
 const ROWS_PER_PIECE = 2000;
+
+/** Characters read at a time. */
+const PIECE = 1 << 20;
 
 /** The lines above the rows: `#` comments, then the header. */
 export function csvHeader(columns: readonly string[], comments: readonly string[] = []): string {
@@ -36,8 +38,7 @@ export function writeCsv(columns: readonly string[], data: readonly Float64Array
 /** Reads a whole CSV file; see docs/csv-format.md for what is understood. Never throws for bad input. */
 export function readCsv(text: string, options: CsvOptions): CsvResult {
   const reader = new CsvReader(options);
-  reader.read(text);
+  // In pieces, so that the cells of one are forgotten before the next.
+  for (let at = 0; at < text.length; at += PIECE) reader.push(text.slice(at, at + PIECE));
   return reader.finish();
 }
-
-export type Systems = Readonly<Record<string, SystemMeta>>;

@@ -4,27 +4,36 @@
  */
 export function writeNumber(x: number): string {
   if (!Number.isFinite(x)) return '';
-  if (x === 0) return Object.is(x, -0) ? '-0' : '0';
+  // Whole numbers of up to 15 digits are exact as they are.
+  if (Number.isInteger(x) && Math.abs(x) < 1e15) return Object.is(x, -0) ? '-0' : String(x);
   const text = x.toPrecision(17);
-  if (!text.includes('.')) return text;
-  const [mantissa, exponent] = text.split('e') as [string, string?];
-  const trimmed = mantissa.replace(/\.?0+$/, '');
-  return exponent === undefined ? trimmed : `${trimmed}e${exponent}`;
+  const exponent = text.indexOf('e');
+  let end = exponent < 0 ? text.length : exponent;
+  if (text.lastIndexOf('.', end) < 0) return text;
+  while (text.charCodeAt(end - 1) === 48) end--;
+  if (text.charCodeAt(end - 1) === 46) end--;
+  return exponent < 0 ? text.slice(0, end) : text.slice(0, end) + text.slice(exponent);
 }
 
-const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
+const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-/** Value of a cell, or NaN for anything that is not a plain decimal number. Accepts a minus sign as typeset. */
+/**
+ * Value of a cell, or NaN for anything that is not a plain finite decimal number (blank, hexadecimal, infinite,
+ * units, thousands separators). Accepts a minus sign as typeset.
+ */
 export function readNumber(text: string, decimalComma: boolean): number {
-  // The quick way covers nearly every cell; Number() alone would also take blanks, 0x1f and Infinity.
+  const value = +text;
+  // The quick way covers nearly every cell: a digit, sign or point first; no 0x10, 0b1, 0o7 (a letter second).
   const first = text.charCodeAt(0);
-  const second = text.charCodeAt(1) | 32;
-  if (!decimalComma && first >= 43 && first <= 57 && second !== 120 && second !== 98 && second !== 111) {
-    const value = +text;
-    if (value - value === 0) return value;
+  if (value - value === 0 && !decimalComma && first >= 43 && first <= 57) {
+    const second = text.charCodeAt(1);
+    if (!(second > 57) || second === 101 || second === 69) return value;
   }
   let clean = text.trim().replace(/^[−–]/, '-');
-  // In such a file a point would group thousands, or not: it is not guessed.
-  if (decimalComma) clean = clean.includes('.') ? '' : clean.replace(',', '.');
-  return PLAIN.test(clean) && Number.isFinite(+clean) ? +clean : NaN;
+  if (decimalComma) {
+    if (clean.includes('.')) return NaN;
+    clean = clean.replace(',', '.');
+  }
+  const careful = PLAIN.test(clean) ? +clean : NaN;
+  return careful - careful === 0 ? careful : NaN;
 }

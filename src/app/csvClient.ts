@@ -1,6 +1,4 @@
-import type { CsvReply, CsvRequest } from '../io/csv.worker.ts';
-import type { CsvResult } from '../io/csv.ts';
-import type { SystemMeta } from '../core/systems/types.ts';
+import type { CsvReply, CsvRequest, FileReading } from '../io/csv.worker.ts';
 
 type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
 
@@ -15,10 +13,10 @@ export class CsvClient {
     this.create = create;
   }
 
-  async read(text: string, systems: Readonly<Record<string, SystemMeta>>, timeStep?: number): Promise<CsvResult> {
-    const reply = await this.ask({ type: 'read', text, systems, ...(timeStep === undefined ? {} : { timeStep }) });
+  async read(text: string, timeStep?: number): Promise<FileReading> {
+    const reply = await this.ask({ type: 'read', text, ...(timeStep === undefined ? {} : { timeStep }) });
     if (reply.type !== 'read') throw new Error('the reader answered out of turn');
-    return reply.result;
+    return reply;
   }
 
   async write(columns: string[], data: Float64Array[], comments: string[]): Promise<string> {

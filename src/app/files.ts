@@ -4,6 +4,7 @@ import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { CsvResult } from '../io/csv.ts';
+import type { FileReading } from '../io/csv.worker.ts';
 import type { CsvClient } from './csvClient.ts';
 import type { Messages } from './messages.ts';
 import type { AppState, Motion, SampleInfo } from './types.ts';
@@ -81,7 +82,8 @@ export class FileOpener {
   }
 
   private async readMotion(name: string, text: string, timeStep?: number): Promise<void> {
-    const result = await this.context.csv.read(text, this.context.metas, timeStep);
+    const reading = await this.context.csv.read(text, timeStep);
+    const { result } = reading;
     if (result.kind === 'needs-time-step') {
       this.waiting = { name, text };
       this.context.state.pendingFile.value = { name, offeredStep: result.offeredStep };
@@ -91,15 +93,14 @@ export class FileOpener {
       this.fail(name, [...result.issues.slice(0, 8).map(describe), ...(result.issues.length > 8 ? [`… and ${result.issues.length - 8} more`] : [])]);
       return;
     }
-    this.showMotion(name, result);
+    this.showMotion(name, result, reading);
   }
 
-  private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>): void {
+  private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>, { scenario, judgement }: FileReading): void {
     const { state, messages } = this.context;
     const system = systemViews[result.systemId]!;
     const trajectory = new Trajectory(result.columns, Math.max(1, result.rows));
     trajectory.append(result.data, result.rows);
-    const scenario = this.scenarioIn(result);
     const draftParameters = state.motion.peek()?.parameters;
     const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
     const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));
@@ -116,22 +117,13 @@ export class FileOpener {
       adjustments: [],
       issues: [...notes, ...result.issues],
       marks: [],
+      judgement,
     });
     if (result.skippedRows > 0) {
       messages.add('warning', `${name}: ${result.skippedRows} of ${result.rows + result.skippedRows} rows could not be used`, [
         ...result.issues.slice(0, 3).map(describe),
         'The rest plays; every row is listed with the file.',
       ]);
-    }
-  }
-
-  private scenarioIn(result: Extract<CsvResult, { kind: 'motion' }>) {
-    if (result.scenario === null) return null;
-    try {
-      return parseScenario(JSON.stringify(result.scenario), this.context.metas);
-    } catch {
-      // A comment is no promise: the numbers play without it.
-      return null;
     }
   }
 

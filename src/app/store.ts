@@ -197,6 +197,7 @@ class Runs {
           adjustments,
           issues: [],
           marks: [],
+          judgement: null,
         };
         if (notes.length > 0) messages.add('info', 'About the start', notes);
         state.run.value = { kind: 'computing', progress: 0 };

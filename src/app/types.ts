@@ -55,6 +55,8 @@ export interface Motion {
   issues: readonly FileIssue[];
   /** Event marks on the time line. */
   marks: readonly { time: number; name: string }[];
+  /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
+  judgement: { energyDrift: number; residual: number } | null;
 }
 
 export interface Message {

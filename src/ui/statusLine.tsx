@@ -30,8 +30,18 @@ function RunFacts() {
     <>
       <span title={method?.formulation ?? DEFAULTS.formulation}>{name}</span>
       <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
-      <span title={words.energyTitle}>{words.energy} <b data-testid="energy">{statistics ? formatScientific(statistics.energyDrift) : '–'}</b></span>
-      <span title={words.residualTitle}>{words.residual} <b data-testid="residual">{statistics ? formatScientific(statistics.residual, 0) : '–'}</b></span>
+      <Trust numbers={statistics} />
+    </>
+  );
+}
+
+/** Energy and constraint residual; dashes where they are not known. */
+function Trust({ numbers }: { numbers: { energyDrift: number; residual: number } | null }) {
+  const words = text.status;
+  return (
+    <>
+      <span title={words.energyTitle}>{words.energy} <b data-testid="energy">{numbers ? formatScientific(numbers.energyDrift) : '–'}</b></span>
+      <span title={words.residualTitle}>{words.residual} <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b></span>
     </>
   );
 }
@@ -47,6 +57,7 @@ function FileFacts() {
       <span data-testid="rows">{formatCount(motion.trajectory.length)} {text.status.rows}</span>
       <span data-testid="columns">{motion.trajectory.columns.length} {text.status.columns}</span>
       {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
+      <Trust numbers={motion.judgement} />
     </>
   );
 }

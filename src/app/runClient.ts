@@ -5,8 +5,8 @@ import type { FromWorker, ToWorker } from '../worker/protocol.ts';
 
 export interface RunHandlers {
   started(columns: string[], adjustments: StartAdjustment[], notes: string[]): void;
-  rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts): void;
-  ended(end: RunEnd, counts: RunCounts): void;
+  rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts, seconds: number): void;
+  ended(end: RunEnd, counts: RunCounts, seconds: number): void;
   refused(path: string, message: string): void;
 }
 
@@ -39,6 +39,13 @@ export class RunClient {
     this.run++;
   }
 
+  /** Ends the worker; nothing more is heard of it. */
+  close(): void {
+    this.handlers = null;
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
   private send(message: ToWorker): void {
     this.worker ??= this.open();
     this.worker.postMessage(message);
@@ -65,10 +72,10 @@ export class RunClient {
       case 'started':
         return handlers.started(message.columns, message.adjustments, message.notes);
       case 'rows':
-        return handlers.rows(message.columns, message.rows, message.time, message.counts);
+        return handlers.rows(message.columns, message.rows, message.time, message.counts, message.seconds);
       case 'ended':
         this.handlers = null;
-        return handlers.ended(message.end, message.counts);
+        return handlers.ended(message.end, message.counts, message.seconds);
       case 'refused':
         this.handlers = null;
         return handlers.refused(message.path, message.message);

@@ -5,9 +5,9 @@ import type { RunCounts, RunEnd } from '../core/simulation/simulation.ts';
 /** Page to worker. Every message names the run it belongs to, so that nothing of an old run is taken for the new. */
 export type ToWorker = { type: 'start'; run: number; scenario: Scenario } | { type: 'cancel'; run: number };
 
-/** Worker to page. Column buffers are transferred, not copied. */
+/** Worker to page. Column buffers are transferred, not copied; `seconds` is the time spent computing so far. */
 export type FromWorker =
   | { type: 'started'; run: number; columns: string[]; adjustments: StartAdjustment[]; notes: string[] }
-  | { type: 'rows'; run: number; columns: Float64Array[]; rows: number; time: number; counts: RunCounts }
-  | { type: 'ended'; run: number; end: RunEnd; counts: RunCounts }
+  | { type: 'rows'; run: number; columns: Float64Array[]; rows: number; time: number; counts: RunCounts; seconds: number }
+  | { type: 'ended'; run: number; end: RunEnd; counts: RunCounts; seconds: number }
   | { type: 'refused'; run: number; path: string; message: string };

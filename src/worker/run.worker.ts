@@ -11,6 +11,8 @@ const SEND_MS = 30;
 const post = (message: FromWorker, transfer: Transferable[] = []): void => self.postMessage(message, { transfer });
 
 let current: { run: number; simulation: Simulation } | null = null;
+/** Time spent in `advance` by the current run, s. */
+let seconds = 0;
 
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
   if (data.type === 'cancel') {
@@ -25,6 +27,7 @@ function start({ run, scenario }: Extract<ToWorker, { type: 'start' }>): void {
     const system = systems[scenario.system];
     if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
     const simulation = new Simulation(scenario, system, EXTRA_COLUMNS);
+    seconds = 0;
     current = { run, simulation };
     post({ type: 'started', run, columns: [...simulation.columns], adjustments: [...simulation.adjustments], notes: [...simulation.notes] });
     compute(run, simulation, performance.now());
@@ -38,8 +41,9 @@ function start({ run, scenario }: Extract<ToWorker, { type: 'start' }>): void {
 /** One slice of computing, then a turn of the event loop, until the run ends or another takes its place. */
 function compute(run: number, simulation: Simulation, lastSent: number): void {
   if (current?.simulation !== simulation) return;
-  const until = performance.now() + SLICE_MS;
-  simulation.advance(() => performance.now() >= until);
+  const from = performance.now();
+  simulation.advance(() => performance.now() >= from + SLICE_MS);
+  seconds += (performance.now() - from) / 1000;
   if (simulation.end) {
     finish(simulation, run, '', '');
     return;
@@ -55,12 +59,12 @@ function finish(simulation: Simulation, run: number, reason: string, message: st
   if (reason) simulation.stop(reason, message);
   current = null;
   send(simulation, run);
-  post({ type: 'ended', run, end: simulation.end!, counts: simulation.counts });
+  post({ type: 'ended', run, end: simulation.end!, counts: simulation.counts, seconds });
 }
 
 function send(simulation: Simulation, run: number): void {
   const { columns, rows } = simulation.takeChunk();
-  post({ type: 'rows', run, columns, rows, time: simulation.time, counts: simulation.counts }, columns.map((c) => c.buffer as ArrayBuffer));
+  post({ type: 'rows', run, columns, rows, time: simulation.time, counts: simulation.counts, seconds }, columns.map((c) => c.buffer as ArrayBuffer));
 }
 
 /** A message to oneself: unlike a timer it is not throttled, and other messages get their turn first. */

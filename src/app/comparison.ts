@@ -1,0 +1,111 @@
+import { signal, type Signal } from '@preact/signals';
+import { checkScenario } from '../core/scenario/schema.ts';
+import type { MethodOptions, Scenario, ScenarioFile } from '../core/scenario/types.ts';
+import type { RunCounts } from '../core/simulation/simulation.ts';
+import type { SystemMeta } from '../core/systems/types.ts';
+import { Trajectory } from '../core/trajectory/trajectory.ts';
+import { RunClient } from './runClient.ts';
+
+/** One method in a comparison: a scenario's `method` with a name of its own. */
+export interface Contender {
+  id: string;
+  label: string;
+  method: Partial<MethodOptions>;
+}
+
+export interface Outcome {
+  contender: Contender;
+  state: 'waiting' | 'computing' | 'ended' | 'refused';
+  /** Time spent computing, without waiting, s. */
+  seconds: number;
+  /** Output reached, s. */
+  reached: number;
+  counts: RunCounts | null;
+  /** Why it ended, or why it could not begin. */
+  reason: string;
+  message: string;
+  trajectory: Trajectory | null;
+}
+
+/** Runs one scenario with several methods, each in a worker of its own, as many at a time as there are cores. */
+export class Comparison {
+  readonly outcomes: Signal<readonly Outcome[]> = signal([]);
+  /** Rises when trajectories grow: plots look again. */
+  readonly version = signal(0);
+  private readonly create: () => Worker;
+  private readonly cores: number;
+  private clients: RunClient[] = [];
+  private queue: number[] = [];
+
+  constructor(create: () => Worker, cores: number) {
+    this.create = create;
+    // One core stays with the page, so that it never freezes.
+    this.cores = Math.max(1, cores - 1);
+  }
+
+  get busy(): boolean {
+    return this.outcomes.value.some((o) => o.state === 'waiting' || o.state === 'computing');
+  }
+
+  /** @throws ScenarioError when the scenario itself can't run; a method that can't is told in its own row */
+  start(file: ScenarioFile, contenders: readonly Contender[], metas: Readonly<Record<string, SystemMeta>>): void {
+    this.stop();
+    checkScenario({ ...file, method: {} }, metas);
+    this.outcomes.value = contenders.map((contender) => ({ contender, state: 'waiting', seconds: 0, reached: 0, counts: null, reason: '', message: '', trajectory: null }));
+    this.queue = contenders.map((_, i) => i);
+    for (let k = 0; k < Math.min(this.cores, contenders.length); k++) this.next(new RunClient(this.create), file, metas);
+  }
+
+  /** Ends what is under way; what was computed stays. */
+  stop(): void {
+    for (const client of this.clients) client.close();
+    this.clients = [];
+    this.queue = [];
+    this.outcomes.value = this.outcomes.peek().map((o) =>
+      o.state === 'waiting' || o.state === 'computing' ? { ...o, state: 'ended', reason: 'cancelled', message: 'cancelled' } : o,
+    );
+  }
+
+  private next(client: RunClient, file: ScenarioFile, metas: Readonly<Record<string, SystemMeta>>): void {
+    const index = this.queue.shift();
+    if (index === undefined) {
+      client.close();
+      return;
+    }
+    if (!this.clients.includes(client)) this.clients.push(client);
+    const { contender } = this.outcomes.peek()[index]!;
+    const proceed = (): void => this.next(client, file, metas);
+    let scenario: Scenario;
+    try {
+      scenario = checkScenario({ ...file, method: contender.method }, metas);
+    } catch (error) {
+      this.update(index, { state: 'refused', message: (error as Error).message });
+      proceed();
+      return;
+    }
+    let trajectory: Trajectory | null = null;
+    client.start(scenario, {
+      started: (columns) => {
+        trajectory = new Trajectory(columns);
+        this.update(index, { state: 'computing', trajectory });
+      },
+      rows: (columns, rows, time, counts, seconds) => {
+        trajectory!.append(columns, rows);
+        this.version.value++;
+        this.update(index, { reached: time, counts, seconds });
+      },
+      ended: (end, counts, seconds) => {
+        this.update(index, { state: 'ended', reached: end.time, reason: end.reason, message: end.message, counts, seconds });
+        proceed();
+      },
+      refused: (_path, message) => {
+        this.update(index, { state: 'refused', message });
+        proceed();
+      },
+    });
+  }
+
+  private update(index: number, change: Partial<Outcome>): void {
+    this.outcomes.value = this.outcomes.peek().map((o, i) => (i === index ? { ...o, ...change } : o));
+  }
+}

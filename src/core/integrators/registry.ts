@@ -1,5 +1,6 @@
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
 import { Dopri5 } from './dopri5.ts';
+import { Euler, Rk4 } from './explicitFixed.ts';
 
 export interface MethodInfo {
   id: string;
@@ -11,6 +12,8 @@ export interface MethodInfo {
 /** Every stepper by its permanent id; the first is the default. */
 export const methods: readonly MethodInfo[] = [
   { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true, create: (problem, options) => new Dopri5(problem, options) },
+  { id: 'euler', label: 'Euler', adaptive: false, create: (problem, options) => new Euler(problem, options) },
+  { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false, create: (problem, options) => new Rk4(problem, options) },
 ];
 
 export function methodNamed(id: string): MethodInfo | undefined {

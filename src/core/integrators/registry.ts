@@ -1,4 +1,5 @@
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
+import { Dop853 } from './dop853.ts';
 import { Dopri5 } from './dopri5.ts';
 import { Euler, Rk4 } from './explicitFixed.ts';
 
@@ -12,6 +13,7 @@ export interface MethodInfo {
 /** Every stepper by its permanent id; the first is the default. */
 export const methods: readonly MethodInfo[] = [
   { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true, create: (problem, options) => new Dopri5(problem, options) },
+  { id: 'dop853', label: 'Dormand–Prince 8(5,3)', adaptive: true, create: (problem, options) => new Dop853(problem, options) },
   { id: 'euler', label: 'Euler', adaptive: false, create: (problem, options) => new Euler(problem, options) },
   { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false, create: (problem, options) => new Rk4(problem, options) },
 ];

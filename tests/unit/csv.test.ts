@@ -234,3 +234,12 @@ test('other systems are known by their names; most coordinates win, a scenario d
   expect(id(table(['t', 'X', 'Y', 'theta', 'phi']))).toBe('wheel');
   expect(id(`# scenario: {"version":1,"system":"sleigh"}\n${table(['t', 'x', 'y', 'theta', 'phi'])}`)).toBe('sleigh');
 });
+
+/** Each of these once took a regular expression time with the square of its length, or could. */
+test.each([
+  ['digits', `${'1'.repeat(900_000)}x`], ['blanks', ' '.repeat(900_000)], ['quotes', '"'.repeat(100_000)], ['hashes', '#'.repeat(900_000)],
+  ['brackets', '('.repeat(900_000)], ['braces', `# scenario: {${'} '.repeat(90_000)}x`], ['separators', ','.repeat(300_000)],
+])('a long line of %s is read in no time and costs that line', (_, line) => {
+  expect(motion(`${plain}${line}\n${'50,'.repeat(10)}50\n`).rows).toBe(4);
+  expect(read(`${line}\n${plain}`).kind).not.toBe('needs-time-step');
+});

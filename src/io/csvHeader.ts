@@ -35,6 +35,9 @@ interface Word {
 const GREEK: Record<string, string> = { α: 'alpha', ψ: 'psi', θ: 'theta', φ: 'phi', ϕ: 'phi', λ: 'lambda', τ: 'tau' };
 const UNIT_BEHIND = /^(.+?)\s*[/_,\s]\s*((?:deg|rad|°)(?:\/s)?|(?:mm|cm|km|m)(?:\/s)?|ms|s)$/i;
 
+/** No longer title is a name with a unit; the patterns would take long over it. */
+const LONGEST_TITLE = 200;
+
 /** `alpha_fp`, `ALPHA-FP`, `alphaFp` and `α_fp` are one name. */
 export function plainName(name: string): string {
   return name.toLowerCase().replace(/[αψθφϕλτ]/g, (letter) => GREEK[letter]!).replace(/[\s_-]+/g, '');
@@ -42,8 +45,10 @@ export function plainName(name: string): string {
 
 /** Splits `alpha [deg]` and `time (s)` into name and unit. */
 export function splitTitle(title: string): { name: string; unit: string } {
-  const match = /^(.*?)[[(]([^\])]*)[\])]$/.exec(title.trim());
-  return match ? { name: match[1]!.trim(), unit: match[2]!.trim() } : { name: title.trim(), unit: '' };
+  if (title.length > LONGEST_TITLE) return { name: '', unit: '' };
+  const line = title.trim().replace(/\s+/g, ' ');
+  const match = /^(.*?)[[(]([^\])]*)[\])]$/.exec(line);
+  return match ? { name: match[1]!.trim(), unit: match[2]!.trim() } : { name: line, unit: '' };
 }
 
 /** Names a column can have in a system, by plain name. */
@@ -94,8 +99,12 @@ export function readHeader(titles: readonly string[], systems: Systems, preferre
     return { id, meta, found, missing: meta.coordinates.map((q) => q.name).filter((name) => !there.has(name)) };
   });
   const fitting = candidates.filter((c) => c.missing.length === 0).sort((a, b) => rank(b.id, b.meta) - rank(a.id, a.meta))[0];
-  if (fitting) return useColumns(titles, fitting);
-  const nearest = candidates.sort((a, b) => a.missing.length / a.meta.coordinates.length - b.missing.length / b.meta.coordinates.length)[0];
+  const share = (c: { missing: string[]; meta: SystemMeta }): number => c.missing.length / c.meta.coordinates.length;
+  const present = (c: { missing: string[]; meta: SystemMeta }): number => c.meta.coordinates.length - c.missing.length;
+  // A board with one column missing is not a sleigh, though it has x, y and theta.
+  const larger = candidates.filter((c) => fitting && present(c) > present(fitting) && 2 * c.missing.length <= present(c)).sort((a, b) => present(b) - present(a))[0];
+  if (fitting && (!larger || fitting.id === preferred)) return useColumns(titles, fitting);
+  const nearest = larger ?? [...candidates].sort((a, b) => share(a) - share(b))[0];
   if (!nearest) return 'there is no system to read it for';
   return `the header names the coordinates of no system; nearest is ${nearest.meta.title}, where ${nearest.missing.join(', ')} ${nearest.missing.length === 1 ? 'is' : 'are'} missing`;
 }
@@ -105,7 +114,7 @@ function useColumns(titles: readonly string[], { id, meta, found }: { id: string
   const ignored: string[] = [];
   const converted: string[] = [];
   for (const [index, cell] of titles.entries()) {
-    const title = cell.trim();
+    const title = shortened(cell);
     const hit = found[index];
     if (!hit) {
       if (title) ignored.push(title);
@@ -139,5 +148,10 @@ function inOrder(uses: readonly ColumnUse[], meta: SystemMeta): ColumnUse[] {
 }
 
 function listed(names: readonly string[]): string {
-  return `${names.slice(0, 24).map((n) => (n.length > 40 ? `${n.slice(0, 39)}…` : n)).join(', ')}${names.length > 24 ? ` and ${names.length - 24} more` : ''}`;
+  return `${names.slice(0, 24).join(', ')}${names.length > 24 ? ` and ${names.length - 24} more` : ''}`;
+}
+
+function shortened(title: string): string {
+  const line = title.trim().replace(/\s+/g, ' ');
+  return line.length > 60 ? `${line.slice(0, 59)}…` : line;
 }

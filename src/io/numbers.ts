@@ -15,7 +15,7 @@ export function writeNumber(x: number): string {
   return exponent < 0 ? text.slice(0, end) : text.slice(0, end) + text.slice(exponent);
 }
 
-const PLAIN = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 /**
  * Value of a cell, or NaN for anything that is not a plain finite decimal number (blank, hexadecimal, infinite,

@@ -29,6 +29,7 @@ export class Camera {
     this.controls = new OrbitControls(this.camera, element);
     this.controls.minDistance = 0.15;
     this.controls.maxDistance = 12;
+    this.controls.maxPolarAngle = 0.497 * Math.PI; // the eye stays above the level of what it looks at
     this.controls.addEventListener('change', changed);
   }
 

@@ -62,8 +62,8 @@ class Ribbon {
     const dx = points[after]! - points[before]!;
     const dy = points[after + 1]! - points[before + 1]!;
     const scale = HALF_WIDTH / (Math.hypot(dx, dy) || 1);
-    const [x, y] = [points[3 * i]!, points[3 * i + 1]!];
-    this.positions.set([x - dy * scale, y + dx * scale, ABOVE_GROUND, x + dy * scale, y - dx * scale, ABOVE_GROUND], 6 * i);
+    const [x, y, z] = [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]! + ABOVE_GROUND];
+    this.positions.set([x - dy * scale, y + dx * scale, z, x + dy * scale, y - dx * scale, z], 6 * i);
   }
 
   private grow(count: number): void {

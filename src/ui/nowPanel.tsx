@@ -42,7 +42,7 @@ function Row({ coordinate: c, trajectory, time }: { coordinate: CoordinateMeta; 
       <td class="number" data-testid={`now-${c.name}`}>{value === null ? '–' : formatValue(value, c.kind)}</td>
       <td class="unit">{angle ? '°' : 'm'}</td>
       <td class="number">{rate === null ? '–' : formatValue(rate, c.kind)}</td>
-      <td class="unit">{angle ? '°/s' : 'm/s'}</td>
+      <td class="unit">{rate === null ? '' : angle ? '°/s' : 'm/s'}</td>
     </tr>
   );
 }

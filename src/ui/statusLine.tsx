@@ -1,4 +1,5 @@
 /** One line that is always there: how the numbers were made and whether to trust them. */
+import type { Scenario } from '../core/scenario/types.ts';
 import { DEFAULTS } from '../core/scenario/defaults.ts';
 import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
@@ -30,17 +31,24 @@ function RunFacts() {
     <>
       <span title={method?.formulation ?? DEFAULTS.formulation}>{name}</span>
       <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
-      <Trust numbers={statistics} />
+      <Trust numbers={statistics} driven={isDriven(state.motion.value?.scenario ?? null)} />
     </>
   );
 }
 
+/** Whether something does work on the system, so that its energy is no measure of accuracy. */
+function isDriven(scenario: Scenario | null): boolean {
+  if (!scenario) return false;
+  const losses = ['torsionDamping', 'jointDamping', 'casterDamping', 'wheelDrag'];
+  return scenario.control !== null || Object.keys(scenario.inputs).length > 0 || losses.some((name) => (scenario.parameters[name] ?? 0) > 0);
+}
+
 /** Energy and constraint residual; dashes where they are not known. */
-function Trust({ numbers }: { numbers: { energyDrift: number; residual: number } | null }) {
+function Trust({ numbers, driven }: { numbers: { energyDrift: number; residual: number } | null; driven: boolean }) {
   const words = text.status;
   return (
     <>
-      <span title={words.energyTitle}>{words.energy} <b data-testid="energy">{numbers ? formatScientific(numbers.energyDrift) : '–'}</b></span>
+      <span title={driven ? words.energyChangeTitle : words.energyTitle}>{driven ? words.energyChange : words.energy} <b data-testid="energy">{numbers ? formatScientific(numbers.energyDrift) : '–'}</b></span>
       <span title={words.residualTitle}>{words.residual} <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b></span>
     </>
   );
@@ -57,7 +65,7 @@ function FileFacts() {
       <span data-testid="rows">{formatCount(motion.trajectory.length)} {text.status.rows}</span>
       <span data-testid="columns">{motion.trajectory.columns.length} {text.status.columns}</span>
       {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
-      <Trust numbers={motion.judgement} />
+      <Trust numbers={motion.judgement} driven={isDriven(motion.scenario)} />
     </>
   );
 }

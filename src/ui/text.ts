@@ -31,9 +31,10 @@ export const text = {
   },
   status: {
     label: 'Status', steps: 'steps', energy: 'energy', energyTitle: 'Energy now minus energy at the start, relative to largest kinetic energy',
+    energyChange: 'energy change', energyChangeTitle: 'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',
     residual: 'residual', residualTitle: 'Largest constraint residual so far', computing: (percent: number) => `computing ${percent} %`,
     ended: (reason: string) => `ended: ${reason}`, idle: 'not run yet', rows: 'rows', columns: 'columns', skipped: (n: number) => (n === 1 ? '1 line with a problem' : `${n} lines with problems`),
-    reasons: { end: 'end', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed' } as Record<string, string>,
+    reasons: { end: 'complete', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed' } as Record<string, string>,
   },
   file: {
     issues: (n: number) => (n === 1 ? '1 note on this file' : `${n} notes on this file`), clean: 'Every line was used.', more: (n: number) => `and ${n} more`,
@@ -41,6 +42,7 @@ export const text = {
     stepAsk: (name: string) => `${name} has no header and no time column. How far apart are its rows?`, step: 'time step', use: 'Use this step', giveUp: 'Do not open', rowsPerSecond: (n: string) => `${n} rows in a second`, drop: 'Drop a CSV, scenario or mesh pair',
   },
   now: { value: 'value', rate: 'rate', multipliers: 'Multipliers', empty: 'Nothing to read yet. Run the experiment or open a file.', part: { front: 'front', back: 'back' }, lateral: 'lateral', vertical: 'vertical' },
+  filePanelHint: 'A file is on the stage. The panel shows the scenario that Run would start.',
   hint: 'Press Run to compute this motion, or drop a CSV on the page.',
   noScene: 'The scene cannot be drawn',
   message: { label: 'Messages', dismiss: 'Dismiss' },

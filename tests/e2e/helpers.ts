@@ -147,7 +147,10 @@ export async function type(page: Page, field: string, text: string): Promise<voi
   await input.press('Tab');
 }
 
-export async function ended(page: Page, reason: string): Promise<void> {
+/** Waits for the end of a run; the page counts its runs from 1, the one it opens with. */
+export async function ended(page: Page, run: number, reason: string): Promise<void> {
+  // The end of the run before looks the same on the page: ask what the worker said.
+  await expect.poll(async () => (await workerEvents(page)).some((event) => event.run === run && event.type === 'ended'), { message: `run ${run} ends`, timeout: 90_000 }).toBe(true);
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', reason);
 }
 

@@ -80,6 +80,7 @@ export function plainText(original: string, variables: readonly string[]): Plain
 function scan({ text, origin }: PlainText, original: string, variables: readonly string[]): void {
   let open = 0;
   let nested = 0;
+  let powers = 0;
   let run = 0;
   for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
     TOKEN.lastIndex = at;
@@ -92,9 +93,10 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
     if (token === ')' && --open < 0) throw new ExpressionError('a ")" without its "("', origin(at));
     if (token === ',' && open === 0) throw new ExpressionError('a "," has no place here; decimals are written with a point', origin(at));
     if (token === '?') nested++;
-    // A run of signs and exponents is read by recursion; anything else between them but a number ends it.
-    run = /^[-+^]$/.test(token) ? run + 1 : /^[\s\d.]/.test(token) ? run : 0;
-    if (open + nested > MOST_DEPTH || run > 2 * MOST_DEPTH) throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
+    // Exponents and runs of signs are read by recursion too.
+    if (token === '^') powers++;
+    run = token === '-' || token === '+' ? run + 1 : /^\s/.test(token) ? run : 0;
+    if (Math.max(open + nested, powers, run) > MOST_DEPTH) throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
     if (/^[A-Za-z_]/.test(token)) checkName(token, /^\s*\(/.test(text.slice(TOKEN.lastIndex)), origin(at), variables);
   }
   if (open > 0) throw new ExpressionError(open === 1 ? 'a ")" is missing' : `${open} ")" are missing`, original.length);

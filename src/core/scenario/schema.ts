@@ -1,6 +1,7 @@
 import type { SystemMeta } from '../systems/types.ts';
 import { Checker, kindOf } from './checker.ts';
-import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS } from './defaults.ts';
+import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS, STATE_ALIASES } from './defaults.ts';
+import { jsonFault, placeIn } from './json.ts';
 import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type TrackControl } from './types.ts';
 
 type Metas = Readonly<Record<string, SystemMeta>>;
@@ -28,21 +29,13 @@ export function collectScenarioErrors(raw: unknown, systems: Metas): Map<string,
 /** Reads JSON text. @throws ScenarioError, also for a syntax error, with its line and column */
 export function parseScenario(text: string, systems: Metas): Scenario {
   if (text.length > LONGEST_FILE) throw new ScenarioError('', `${text.length} characters are more than a scenario's ${LONGEST_FILE}`);
-  let raw: unknown;
-  try {
-    raw = JSON.parse(text.replace(/^\ufeff/, ''));
-  } catch (error) {
-    throw new ScenarioError('', `not JSON: ${placed((error as Error).message, text)}`);
+  const plain = text.replace(/^\ufeff/, '');
+  const fault = jsonFault(plain);
+  if (fault) {
+    const { line, column } = placeIn(plain, fault.position);
+    throw new ScenarioError('', `not JSON: line ${line}, column ${column}: ${fault.message}`);
   }
-  return checkScenario(raw, systems);
-}
-
-function placed(message: string, text: string): string {
-  const at = /position (\d+)/.exec(message);
-  if (!at) return message;
-  const before = text.slice(0, Number(at[1])).split('\n');
-  const what = message.replace(/ in JSON at position.*$/, '').replace(/ at position.*$/, '');
-  return `${what} at line ${before.length}, column ${before.at(-1)!.length + 1}`;
+  return checkScenario(JSON.parse(plain), systems);
 }
 
 function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map<string, string> } {
@@ -62,7 +55,8 @@ function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map
 function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string, meta: SystemMeta): Scenario {
   const coordinates = meta.coordinates.map((q) => q.name);
   const states = [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
-  const inputs = [...meta.inputs.map((i) => i.name), ...coordinates.map((name) => `f_${name}`)];
+  const points = [...states, ...(STATE_ALIASES.get(id) ?? [])];
+  const inputs = [...new Set([...meta.inputs.map((i) => i.name), ...coordinates.map((name) => `f_${name}`)])];
   const set = file.get('parameterSet') === undefined ? null : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
   const sets = meta.constraintSets.map((s) => s.id);
   const constraints = file.get('constraints') === undefined ? sets[0]! : (c.oneOf('constraints', file.get('constraints'), sets) ?? sets[0]!);
@@ -81,10 +75,10 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
     parameters: checkParameters(c, file.get('parameters'), meta, set),
     constraints,
     hold: c.names('hold', file.get('hold'), coordinates),
-    initial: constants(c, 'initial', file.get('initial'), states),
+    initial: constants(c, 'initial', file.get('initial'), points),
     inputs: expressions(c, 'inputs', file.get('inputs'), inputs),
-    control: checkControl(c, file.get('control'), meta, states, inputs),
-    at: constants(c, 'at', file.get('at'), [...states, 'speed']),
+    control: checkControl(c, file.get('control'), meta, { states, points, inputs }),
+    at: constants(c, 'at', file.get('at'), points),
     method: checkMethod(c, file.get('method')),
     duration,
     outputStep,
@@ -148,7 +142,15 @@ function checkMethod(c: Checker, raw: unknown): MethodOptions {
   };
 }
 
-function checkControl(c: Checker, raw: unknown, meta: SystemMeta, states: readonly string[], inputs: readonly string[]): Scenario['control'] {
+/** Names a controller may use. */
+interface Names {
+  states: readonly string[];
+  /** States, and what else an operating point may be given by. */
+  points: readonly string[];
+  inputs: readonly string[];
+}
+
+function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names): Scenario['control'] {
   if (raw === undefined || raw === null) return null;
   const all = new Map(c.entries('control', raw));
   if (c.errors.has('control')) return null;
@@ -156,12 +158,12 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, states: readon
   if (type === undefined) return null;
   const keys = type === 'lqr' ? ['type', 'inputs', 'at', 'Q', 'R', 'limits'] : ['type', 'reference', 'kp', 'kd', 'limits'];
   const control = new Map(c.entries('control', raw, keys));
-  const limits = constants(c, 'control.limits', control.get('limits'), inputs);
+  const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
-  return type === 'lqr' ? checkLqr(c, control, states, inputs, limits) : checkTrack(c, control, meta, limits);
+  return type === 'lqr' ? checkLqr(c, control, names, limits) : checkTrack(c, control, meta, limits);
 }
 
-function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, states: readonly string[], inputs: readonly string[], limits: Record<string, number>): LqrControl {
+function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, { states, points, inputs }: Names, limits: Record<string, number>): LqrControl {
   const names = c.names('control.inputs', control.get('inputs'), inputs);
   if (names.length === 0) c.add('control.inputs', `name at least one input; there are ${inputs.slice(0, 12).join(', ')}`);
   const Q = constants(c, 'control.Q', control.get('Q'), states);
@@ -171,7 +173,7 @@ function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, states: rea
   return {
     type: 'lqr',
     inputs: names,
-    at: constants(c, 'control.at', control.get('at'), [...states, 'speed']),
+    at: constants(c, 'control.at', control.get('at'), points),
     ...(control.get('Q') === undefined ? {} : { Q }),
     R,
     limits,

@@ -1,0 +1,52 @@
+import { expect, test } from '@playwright/test';
+import { chooseCase, ended, openPage, seek, type as typeInto, VIEWPORT } from './helpers.ts';
+
+test.use({ viewport: VIEWPORT });
+
+test('fields read degrees and expressions, refuse nonsense, and show what the start became', async ({ page }) => {
+  await openPage(page);
+  await page.getByTestId('fold-right').click();
+  const field = page.getByTestId('initial-alpha_fp');
+  const plateAngle = page.getByTestId('now-alpha_fp');
+
+  // The first run: nothing named the height, and the board was put on its wheels.
+  await expect(page.getByTestId('solved-Z')).toContainText(/→ 0\.\d+\s*m/);
+
+  // A held rod: the plates start where the field says, whatever that is.
+  let runs = 2;
+  await chooseCase(page, 'hanging');
+  await ended(page, runs, 'end');
+  await expect(page.getByTestId('solved-Z')).toHaveCount(0);
+  await typeInto(page, 'duration', '1');
+  const runAndGoToStart = async () => {
+    await page.getByTestId('run').click();
+    await ended(page, ++runs, 'end');
+    await seek(page, 0);
+  };
+
+  await typeInto(page, 'initial-alpha_fp', 'pi/8');
+  await expect(field).toHaveValue('pi/8');
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('22.50');
+
+  await typeInto(page, 'initial-alpha_fp', '30 deg');
+  await expect(field).toHaveValue('30');
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('30.00');
+
+  // Nonsense stays in its field with its reason; what is in force is the last good value.
+  await typeInto(page, 'initial-alpha_fp', 'pi/(8');
+  await expect(field).toHaveAttribute('aria-invalid', 'true');
+  const error = page.locator(`[id="${await field.getAttribute('aria-describedby')}"]`);
+  await expect(error).toBeVisible();
+  await expect(error).not.toBeEmpty();
+  await expect(page.getByText('1 field is not in force')).toBeVisible();
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('30.00');
+
+  await typeInto(page, 'initial-alpha_fp', '-10');
+  await expect(field).not.toHaveAttribute('aria-invalid', 'true');
+  await expect(error).toHaveCount(0);
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('−10.00');
+});

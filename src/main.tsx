@@ -1,17 +1,22 @@
 import { signal } from '@preact/signals';
 import { render } from 'preact';
+import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
 import { formulations, methods } from './core/integrators/registry.ts';
+import { plotComparison, saveOutcomes, savePicture } from './comparisonBridge.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
 
+const runWorker = (): Worker => new Worker(new URL('./worker/run.worker.ts', import.meta.url), { type: 'module' });
+const comparison = new Comparison(runWorker, navigator.hardwareConcurrency || 2);
 const app = createApp(
   {
-    run: () => new Worker(new URL('./worker/run.worker.ts', import.meta.url), { type: 'module' }),
+    run: runWorker,
     csv: () => new Worker(new URL('./io/csv.worker.ts', import.meta.url), { type: 'module' }),
   },
   { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches },
+  comparison,
 );
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
@@ -22,6 +27,7 @@ render(
     methods={methods.map(({ id, label, adaptive }) => ({ id, label, adaptive }))}
     formulations={formulations}
     origin={app.state.origin}
+    comparing={{ comparison, plot: (...args) => plotComparison(app, ...args), saveTable: saveOutcomes, savePicture }}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}

@@ -5,6 +5,7 @@ import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import type { RunCounts } from '../core/simulation/simulation.ts';
 import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { Comparison } from './comparison.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
@@ -29,7 +30,7 @@ export interface Preferences {
 }
 
 /** The application: state as signals, and the only code that changes it. */
-export function createApp(workers: Workers, preferences: Preferences): App {
+export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison): App {
   const state = initialState(preferences.dark);
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
@@ -65,6 +66,7 @@ export function createApp(workers: Workers, preferences: Preferences): App {
     seek: (time) => void (state.time.value = clampTime(state, time)),
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
+    compare: (contenders) => comparison.start(state.draft.peek(), contenders, systemMetas),
     report: (kind, title, details) => messages.add(kind, title, details),
   };
   return {

@@ -1,5 +1,6 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { Contender } from './comparison.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -129,6 +130,8 @@ export interface AppActions {
   /** Moves by whole rows. */
   stepRows(rows: number): void;
   dismiss(messageId: number): void;
+  /** Runs the draft with each of these methods. @throws ScenarioError when the draft itself can't run */
+  compare(contenders: readonly Contender[]): void;
   /** Tells the person something that happened outside the store. */
   report(kind: Message['kind'], title: string, details: readonly string[]): void;
 }

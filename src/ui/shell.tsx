@@ -11,6 +11,7 @@ import { DropOverlay } from './dropOverlay.tsx';
 import { useKeyboard } from './keyboard.ts';
 import { useMedia } from './media.ts';
 import { Messages } from './messages.tsx';
+import { MethodsDialog, type MethodsProps } from './methodsView.tsx';
 import { LeftPanel, RightPanel, Sheet } from './panels.tsx';
 import { StageOverlay } from './stageOverlay.tsx';
 import { StatusLine } from './statusLine.tsx';
@@ -31,20 +32,23 @@ export interface ShellProps {
   sceneError: ReadonlySignal<string | null>;
   /** The case the draft came from; without it, the last case whose scenario the draft was. */
   origin?: ReadonlySignal<CaseInfo | null>;
+  /** The comparison of methods and how its curves are drawn and saved. */
+  comparing: MethodsProps;
 }
 
 export const PHONE = '(max-width: 760px)';
 
-export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin }: ShellProps) {
+export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, comparing }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, origin), [app]);
   const keysOpen = useSignal(false);
+  const methodsOpen = useSignal(false);
   const phone = useMedia(PHONE);
   useTheme(app);
   useKeyboard(app, keysOpen);
   return (
     <UiContext.Provider value={ui}>
       <div class="shell">
-        <TopBar keysOpen={keysOpen} />
+        <TopBar keysOpen={keysOpen} methodsOpen={methodsOpen} />
         {phone ? null : <LeftPanel />}
         <main key="stage" class="stage" aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
@@ -58,6 +62,7 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       <Messages />
       <StepDialog />
       <KeysDialog open={keysOpen} />
+      <MethodsDialog open={methodsOpen} {...comparing} />
       <DropOverlay />
       <Announcer />
     </UiContext.Provider>

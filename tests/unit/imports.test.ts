@@ -13,7 +13,8 @@ const MAY_IMPORT: Record<string, readonly string[]> = {
   app: ['core', 'io', 'worker'],
   ui: ['core', 'app'],
   sceneBridge: ['core', 'scene', 'app'],
-  main: ['core', 'io', 'worker', 'sceneBridge', 'charts', 'app', 'ui'],
+  comparisonBridge: ['core', 'charts', 'app'],
+  main: ['core', 'io', 'worker', 'sceneBridge', 'comparisonBridge', 'charts', 'app', 'ui'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts' };

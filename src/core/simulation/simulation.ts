@@ -19,6 +19,8 @@ export interface RunCounts {
   steps: number;
   rejected: number;
   evaluations: number;
+  jacobians: number;
+  factorizations: number;
   /** (E - E at the start) / largest kinetic energy so far. */
   energyDrift: number;
   /** Largest constraint residual of an emitted row. */
@@ -102,9 +104,9 @@ export class Simulation {
   }
 
   get counts(): RunCounts {
-    const { steps, rejected, evaluations } = this.stepper.counters;
+    const { steps, rejected, evaluations, jacobians, factorizations } = this.stepper.counters;
     const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
-    return { steps, rejected, evaluations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
+    return { steps, rejected, evaluations, jacobians, factorizations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
   }
 
   /** Steps until the run ends or `pause` (asked after every step) says so. */

@@ -1,0 +1,88 @@
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+
+/** One curve; `x` rises. Curves may have points of their own. */
+export interface PlotSeries {
+  label: string;
+  color: string;
+  dash?: readonly number[];
+  x: Float64Array | readonly number[];
+  y: Float64Array | readonly number[];
+}
+
+export interface PlotOptions {
+  xLabel: string;
+  yLabel: string;
+  /** Logarithmic y; values that are not positive are gaps. */
+  logarithmic?: boolean;
+  ink: string;
+  line: string;
+}
+
+export interface LinePlot {
+  setData(series: readonly PlotSeries[]): void;
+  resize(width: number, height: number): void;
+  /** The picture as it stands. */
+  canvas(): HTMLCanvasElement | null;
+  destroy(): void;
+}
+
+/** Several curves over one x axis, on a canvas. */
+export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlot {
+  let plot: uPlot | null = null;
+  let shape = '';
+  const size = { width: 320, height: 180 };
+
+  const build = (series: readonly PlotSeries[], data: uPlot.AlignedData): void => {
+    plot?.destroy();
+    const axis = { stroke: options.ink, grid: { stroke: options.line, width: 1 }, ticks: { stroke: options.line, width: 1 }, font: '11px system-ui, sans-serif', labelFont: '11px system-ui, sans-serif', labelSize: 16 };
+    plot = new uPlot(
+      {
+        ...size,
+        legend: { show: false },
+        cursor: { drag: { x: true, y: false } },
+        scales: { x: { time: false }, y: options.logarithmic ? { distr: 3 } : {} },
+        axes: [
+          { ...axis, label: options.xLabel, size: 28 },
+          { ...axis, label: options.yLabel, size: 52 },
+        ],
+        series: [{}, ...series.map((s) => ({ label: s.label, stroke: s.color, width: 1.5, dash: s.dash ? [...s.dash] : undefined, points: { show: false }, spanGaps: true }))],
+      },
+      data,
+      host,
+    );
+  };
+
+  return {
+    setData(series) {
+      const data = aligned(series, options.logarithmic ?? false);
+      const next = JSON.stringify(series.map((s) => [s.label, s.color, s.dash]));
+      if (!plot || next !== shape) {
+        shape = next;
+        build(series, data);
+      } else {
+        plot.setData(data);
+      }
+    },
+    resize(width, height) {
+      size.width = width;
+      size.height = height;
+      plot?.setSize(size);
+    },
+    canvas: () => plot?.ctx.canvas ?? null,
+    destroy() {
+      plot?.destroy();
+      plot = null;
+    },
+  };
+}
+
+/** Columns on one x, as uPlot wants them. */
+function aligned(series: readonly PlotSeries[], logarithmic: boolean): uPlot.AlignedData {
+  if (series.length === 0) return [[0], []] as unknown as uPlot.AlignedData;
+  const tables = series.map((s) => {
+    const y = Array.from(s.y, (v) => (Number.isFinite(v) && (!logarithmic || v > 0) ? v : null));
+    return [Array.from(s.x), y] as unknown as uPlot.AlignedData;
+  });
+  return tables.length === 1 ? tables[0]! : uPlot.join(tables);
+}

@@ -1,3 +1,4 @@
+import { AdamsMoulton } from './adamsMoulton.ts';
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
 import { Dop853 } from './dop853.ts';
 import { Dopri5 } from './dopri5.ts';
@@ -16,6 +17,7 @@ export const methods: readonly MethodInfo[] = [
   { id: 'dop853', label: 'Dormand–Prince 8(5,3)', adaptive: true, create: (problem, options) => new Dop853(problem, options) },
   { id: 'euler', label: 'Euler', adaptive: false, create: (problem, options) => new Euler(problem, options) },
   { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false, create: (problem, options) => new Rk4(problem, options) },
+  { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false, create: (problem, options) => new AdamsMoulton(problem, options) },
 ];
 
 export function methodNamed(id: string): MethodInfo | undefined {

@@ -7,7 +7,7 @@ import { Jacobian, PATIENT_ITERATIONS, REUSE_BELOW, SimplifiedNewton, roundingFl
  * The implicit Adams method of one step (Adams-Moulton, k = 1), which is the trapezoidal rule:
  * y1 = y0 + h/2 (f(t0, y0) + f(t1, y1)), order 2, fixed step.
  *
- * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section III.1, eq. (1.9); stability: Hairer and Wanner,
+ * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section III.1 (implicit Adams methods); stability: Hairer and Wanner,
  * Solving ODEs II, 2nd ed., section IV.3: A-stable with |R(infinity)| = 1. Between steps the cubic Hermite
  * polynomial, which is here the quadratic that has the slopes of f at both ends, of order 2.
  *
@@ -84,8 +84,6 @@ export class AdamsMoulton implements Stepper {
     this.factoredFor = 0;
     this.known = false;
     this.fresh = false;
-    this.newton.reset();
-    this.patientNewton.reset();
     Object.assign(this.counters, zeroCounters());
   }
 
@@ -134,6 +132,8 @@ export class AdamsMoulton implements Stepper {
     const ratio = guess ? this.h / this.stepTaken : 0;
     for (let i = 0; i < this.n; i++) this.z[i] = guess ? ratio * (this.y1[i]! - this.y0[i]!) : 0;
     const newton = guess ? this.newton : this.patientNewton;
+    // No estimate of the rate is carried over: what is left at the end of one iteration is not looked at again.
+    newton.reset();
     const outcome = newton.solve(this.correct, 1, roundingFloor());
     this.known = outcome === 'converged' && newton.theta < REUSE_BELOW;
     return outcome;

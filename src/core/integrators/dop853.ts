@@ -8,7 +8,7 @@ import { PiController, firstStep } from './stepControl.ts';
  * continuous output of order 7.
  *
  * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section II.10: the error of the step is
- * h |e5|^2 / sqrt(|e5|^2 + 0.01 |e3|^2), eq. (10.17), so that it falls like h^8; the continuous output is that of
+ * h |e5|^2 / sqrt(|e5|^2 + 0.01 |e3|^2), so that it falls like h^8; the continuous output is that of
  * section II.10 as in the authors' code DOP853.
  *
  * The continuous output costs three more evaluations, which are made only when `interpolate` is first called

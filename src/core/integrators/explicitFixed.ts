@@ -3,8 +3,8 @@ import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type Ste
 /**
  * Explicit methods of fixed step: Euler's (order 1) and the classical Runge-Kutta method (order 4).
  *
- * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section II.1: eq. (1.1) Euler, table 1.2 left,
- * "the" Runge-Kutta method. Between steps: the chord for Euler (order 1), and the cubic Hermite polynomial of
+ * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section II.1 ("the" Runge-Kutta
+ * method of order 4). Between steps: the chord for Euler (order 1), and the cubic Hermite polynomial of
  * section II.6, eq. (6.7) for Runge-Kutta, which is of order 3: its error within one step is O(h^4), as much
  * as the steps themselves leave behind over the whole run.
  *

@@ -5,8 +5,8 @@ import type { Counters, OdeProblem } from './contract.ts';
  * fast, further steps.
  *
  * Hairer and Wanner, Solving ODEs II, 2nd ed., section IV.8: rate of convergence theta_k = |dz_k| / |dz_(k-1)|,
- * stopping once eta_k |dz_k| <= kappa tol with eta = theta / (1 - theta), eq. (8.10); giving up as soon as the
- * iterations that are left would not suffice, eq. (8.11); eta from the step before at the first iteration,
+ * stopping once eta_k |dz_k| <= kappa tol with eta = theta / (1 - theta); giving up as soon as the
+ * iterations that are left would not suffice; eta from the step before at the first iteration,
  * to the power 0.8; reuse of the Jacobian while theta is small. Difference quotients as in the authors' RADAU5.
  *
  * Not guaranteed: convergence. A poor start or matrix gives 'slow', and the caller makes a new matrix or a

@@ -1,5 +1,7 @@
 import { AdamsMoulton } from './adamsMoulton.ts';
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
+import { Collocation } from './collocation.ts';
+import { GAUSS_STAGES, RADAU_STAGES, gauss, radau } from './collocationCoefficients.ts';
 import { Dop853 } from './dop853.ts';
 import { Dopri5 } from './dopri5.ts';
 import { Euler, Rk4 } from './explicitFixed.ts';
@@ -8,6 +10,8 @@ export interface MethodInfo {
   id: string;
   label: string;
   adaptive: boolean;
+  /** Numbers of stages to choose from; the method has its own default. */
+  stages?: readonly number[];
   create(problem: OdeProblem, options: StepperOptions): Stepper;
 }
 
@@ -18,6 +22,14 @@ export const methods: readonly MethodInfo[] = [
   { id: 'euler', label: 'Euler', adaptive: false, create: (problem, options) => new Euler(problem, options) },
   { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false, create: (problem, options) => new Rk4(problem, options) },
   { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false, create: (problem, options) => new AdamsMoulton(problem, options) },
+  {
+    id: 'gauss', label: 'Gauss', adaptive: true, stages: GAUSS_STAGES,
+    create: (problem, options) => new Collocation(problem, options, gauss(options.stages ?? 3)),
+  },
+  {
+    id: 'radau', label: 'Radau IIA', adaptive: true, stages: RADAU_STAGES,
+    create: (problem, options) => new Collocation(problem, options, radau(options.stages ?? 3)),
+  },
 ];
 
 export function methodNamed(id: string): MethodInfo | undefined {

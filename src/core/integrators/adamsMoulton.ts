@@ -11,7 +11,7 @@ import { Jacobian, PATIENT_ITERATIONS, REUSE_BELOW, SimplifiedNewton, roundingFl
  * Solving ODEs II, 2nd ed., section IV.3: A-stable with |R(infinity)| = 1. Between steps the cubic Hermite
  * polynomial, which is here the quadratic that has the slopes of f at both ends, of order 2.
  *
- * The equation is solved to relative 1e-12, whatever `rtol` says; no error is estimated.
+ * The equation is solved to relative 1e-14 or to rounding, whatever `rtol` says; no error is estimated.
  *
  * Not guaranteed: damping. What is stiff and not resolved rings with a sign that changes at each step and dies out
  * slowly, and between the steps the polynomial swings h |df/dy| / 8 times as far.

@@ -23,7 +23,7 @@ import { PiController, errorNorm, firstStep } from './stepControl.ts';
  * the end of the step (h^(2s+1), h^2s) and is of the size of that between the steps.
  *
  * An infinite `rtol` means equal steps (`step`, 0.001 unless given) without an estimate, each solved to relative
- * 1e-12: so Gauss keeps quadratic invariants and the symplectic structure.
+ * 1e-14 or to rounding: so Gauss keeps quadratic invariants and the symplectic structure.
  *
  * Not guaranteed: for Gauss, damping of what is stiff (|R(infinity)| = 1); for large systems, speed: one real
  * factorization of s n unknowns.
@@ -34,6 +34,8 @@ const MOST_ITERATIONS = 7;
 const MORE_PER_STAGE = 1;
 /** A step below this many units in the last place of t cannot advance it reliably. */
 const SMALLEST_ULPS = 16;
+/** First step where f is not a number near the start, so that its size says nothing. */
+const CAUTIOUS_STEP = 1e-6;
 /** A step that would grow by less is kept, and with it the factors (RADAU5). */
 const KEEP_BELOW = 1.2;
 /** The last polynomial says nothing of a step that reaches further than this many of its own. */
@@ -152,6 +154,7 @@ export class Collocation implements Stepper {
     if (!this.controlled) return this.equalStep(limit);
     if (!(this.h > 0)) {
       this.h = firstStep((t, x, out) => this.f(t, x, out), this.t, y, f0, this.tableau.stages, options.rtol, options.atol, [this.yNew, this.error]);
+      if (!(this.h > 0)) this.h = CAUTIOUS_STEP;
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {

@@ -25,6 +25,8 @@ const ORDER = 8;
 
 /** A step below this many units in the last place of t cannot advance it reliably. */
 const SMALLEST_ULPS = 16;
+/** First step where f is not a number near the start, so that its size says nothing. */
+const CAUTIOUS_STEP = 1e-6;
 
 /** What stands between the ends of the last accepted step: nothing yet, the continuous output, or its substitute. */
 type Dense = 'none' | 'polynomial' | 'hermite';
@@ -89,6 +91,7 @@ export class Dop853 implements Stepper {
     this.fresh = true;
     if (!(this.h > 0)) {
       this.h = firstStep((t, x, out) => this.f(t, x, out), this.t, y, k[0]!, ORDER, options.rtol, options.atol, [this.yNew, this.scratch]);
+      if (!(this.h > 0)) this.h = CAUTIOUS_STEP;
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {

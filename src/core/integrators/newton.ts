@@ -22,8 +22,8 @@ export const REUSE_BELOW = 1e-2;
 /** Where the step may not be shortened, Newton's method may go on while the rate is below about 0.6. */
 export const PATIENT_ITERATIONS = 50;
 
-/** Relative accuracy of what is solved as well as it can be; above rounding in sums over some tens of terms. */
-const TIGHT = 1e-12;
+/** Relative accuracy of what is solved as well as it can be, so that a thousand steps do not add up to 1e-11. */
+const TIGHT = 1e-14;
 /** Size below which a variable counts as zero there, in its own unit. */
 const TIGHT_FLOOR = 1e-3;
 
@@ -82,7 +82,7 @@ export class SimplifiedNewton {
       if (this.eta * size <= tolerance) return 'converged';
       before = size;
     }
-    return this.giveUp('slow');
+    return before <= floor ? 'converged' : this.giveUp('slow');
   }
 
   private giveUp(why: NewtonOutcome): NewtonOutcome {

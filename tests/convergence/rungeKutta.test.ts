@@ -1,0 +1,369 @@
+import { describe, expect, test } from 'vitest';
+import { gauss, radau } from '../../src/core/integrators/collocationCoefficients.ts';
+import type { OdeProblem, StepFailure, Stepper, StepperOptions } from '../../src/core/integrators/contract.ts';
+import { A, B3, C, E5 } from '../../src/core/integrators/dop853Coefficients.ts';
+import { methodNamed } from '../../src/core/integrators/registry.ts';
+
+type Derivative = (t: number, y: Float64Array, out: Float64Array) => boolean | void;
+
+function problem(dimension: number, f: Derivative, more: Partial<OdeProblem> = {}): OdeProblem {
+  return { dimension, failure: null, derivative: (t, y, out) => f(t, y, out) !== false, ...more };
+}
+
+/** Kepler's problem with eccentricity 0.3, from the pericentre: nonlinear, smooth, known. */
+const ECCENTRICITY = 0.3;
+const kepler = problem(4, (_t, y, out) => {
+  const r3 = Math.hypot(y[0]!, y[1]!) ** 3;
+  out.set([y[2]!, y[3]!, -y[0]! / r3, -y[1]! / r3]);
+});
+
+function keplerAt(t: number): Float64Array {
+  let E = t;
+  for (let i = 0; i < 60; i++) E -= (E - ECCENTRICITY * Math.sin(E) - t) / (1 - ECCENTRICITY * Math.cos(E));
+  const d = 1 - ECCENTRICITY * Math.cos(E);
+  const q = Math.sqrt(1 - ECCENTRICITY ** 2);
+  return Float64Array.of(Math.cos(E) - ECCENTRICITY, q * Math.sin(E), -Math.sin(E) / d, (q * Math.cos(E)) / d);
+}
+
+function distance(a: Float64Array, b: Float64Array): number {
+  return Math.max(...a.map((x, i) => Math.abs(x - b[i]!)));
+}
+
+interface Case {
+  name: string;
+  id: string;
+  stages?: number;
+  order: number;
+  /** Order of what is seen between the steps: that of the polynomial plus one, or that of the steps if it is less. */
+  dense: number;
+  /** Steps to t = 2 in the coarser of the two runs. */
+  steps: number;
+}
+
+const table: readonly Omit<Case, 'name'>[] = [
+  { id: 'euler', order: 1, dense: 1, steps: 800 },
+  { id: 'rk4', order: 4, dense: 4, steps: 80 },
+  { id: 'adams-moulton', order: 2, dense: 2, steps: 80 },
+  { id: 'dopri5', order: 5, dense: 5, steps: 160 },
+  { id: 'dop853', order: 8, dense: 8, steps: 16 },
+  { id: 'gauss', stages: 1, order: 2, dense: 2, steps: 80 },
+  { id: 'gauss', stages: 2, order: 4, dense: 3, steps: 80 },
+  { id: 'gauss', stages: 3, order: 6, dense: 4, steps: 40 },
+  { id: 'gauss', stages: 4, order: 8, dense: 5, steps: 16 },
+  { id: 'radau', stages: 2, order: 3, dense: 3, steps: 80 },
+  { id: 'radau', stages: 3, order: 5, dense: 4, steps: 80 },
+];
+
+const cases: readonly Case[] = table.map((c) => ({ ...c, name: c.stages ? `${c.id} ${c.stages}` : c.id }));
+
+const implicit = (c: Case): boolean => c.id === 'gauss' || c.id === 'radau' || c.id === 'adams-moulton';
+
+function stepperOf(c: Pick<Case, 'id' | 'stages'>, p: OdeProblem, options: Partial<StepperOptions>): Stepper {
+  return methodNamed(c.id)!.create(p, { rtol: 1e-8, atol: 1e-10, ...(c.stages ? { stages: c.stages } : {}), ...options });
+}
+
+/** Equal steps: collocation without error control, explicit pairs with a tolerance that nothing exceeds. */
+function equalSteps(c: Pick<Case, 'id' | 'stages'>, h: number): Partial<StepperOptions> {
+  return { rtol: c.id === 'gauss' || c.id === 'radau' ? Infinity : 1e12, atol: 1e-10, step: h, maxStep: h };
+}
+
+function run(stepper: Stepper, limit: number, afterStep: () => void = () => {}): StepFailure | null {
+  for (let i = 0; i < 1e6 && stepper.t < limit; i++) {
+    const failure = stepper.step(limit);
+    if (failure) return failure;
+    afterStep();
+  }
+  return null;
+}
+
+describe('order of convergence', () => {
+  test.each(cases)('$name: order $order at the ends of the steps, $dense between', (c) => {
+    const errors = [c.steps, 2 * c.steps].map((steps) => {
+      const stepper = stepperOf(c, kepler, equalSteps(c, 2 / steps));
+      stepper.reset(0, keplerAt(0));
+      const state = new Float64Array(4);
+      let between = 0;
+      const failure = run(stepper, 2, () => {
+        for (const s of [0.15, 0.4, 0.5, 0.77]) {
+          const t = stepper.previousT + s * (stepper.t - stepper.previousT);
+          stepper.interpolate(t, state);
+          between = Math.max(between, distance(state, keplerAt(t)));
+        }
+      });
+      expect(failure).toBeNull();
+      expect(stepper.counters.steps).toBe(steps);
+      return { end: distance(stepper.y, keplerAt(2)), between };
+    });
+    const [coarse, fine] = errors as [(typeof errors)[0], (typeof errors)[0]];
+    expect(Math.abs(Math.log2(coarse.end / fine.end) - c.order), `end ${coarse.end} ${fine.end}`).toBeLessThan(0.2);
+    expect(Math.abs(Math.log2(coarse.between / fine.between) - c.dense), `between ${coarse.between} ${fine.between}`).toBeLessThan(0.2);
+  });
+
+  test('coefficients of Radau IIA follow from its nodes', () => {
+    const { A, startSlope } = radau(3);
+    const r = Math.sqrt(6);
+    const known = [
+      (88 - 7 * r) / 360, (296 - 169 * r) / 1800, (-2 + 3 * r) / 225,
+      (296 + 169 * r) / 1800, (88 + 7 * r) / 360, (-2 - 3 * r) / 225,
+      (16 - r) / 36, (16 + r) / 36, 1 / 9,
+    ];
+    known.forEach((a, k) => expect(A[k]).toBeCloseTo(a, 15));
+    [13 + 7 * r, 13 - 7 * r, 1].forEach((e, k) => expect(startSlope[k]).toBeCloseTo(e / 3, 13));
+  });
+
+  test('coefficients of order 8 are consistent: rows add up to their nodes, estimates vanish on constants', () => {
+    const sum = (x: readonly number[]): number => x.reduce((total, a) => total + a, 0);
+    A.forEach((row, s) => expect(sum(row)).toBeCloseTo(C[s]!, 13));
+    expect(sum(E5)).toBeCloseTo(0, 13);
+    expect(sum(B3)).toBeCloseTo(1, 13);
+    const b = A[12]!;
+    for (let k = 1; k <= 8; k++) expect(sum(b.map((w, i) => w * C[i]! ** (k - 1)))).toBeCloseTo(1 / k, 13);
+    for (let k = 1; k <= 5; k++) expect(sum(E5.map((w, i) => w * C[i]! ** (k - 1)))).toBeCloseTo(0, 13);
+  });
+
+  test.each([1, 2, 3, 4])('Gauss with %i stages integrates powers up to its stage number exactly', (s) => {
+    const { A, c } = gauss(s);
+    for (let k = 1; k <= s; k++) {
+      c.forEach((ci, i) => {
+        const sum = c.reduce((total, cj, j) => total + A[i * s + j]! * cj ** (k - 1), 0);
+        expect(sum).toBeCloseTo(ci ** k / k, 14);
+      });
+    }
+  });
+});
+
+describe('step control', () => {
+  const controlled = cases.filter((c) => methodNamed(c.id)!.adaptive && c.stages !== 1);
+
+  test.each(controlled)('$name: the error over an orbit follows the tolerance', (c) => {
+    const period = 2 * Math.PI;
+    for (const rtol of [1e-4, 1e-7, 1e-10]) {
+      const stepper = stepperOf(c, kepler, { rtol, atol: rtol });
+      stepper.reset(0, keplerAt(0));
+      expect(run(stepper, period)).toBeNull();
+      const error = distance(stepper.y, keplerAt(0));
+      expect(error, `rtol ${rtol}, ${JSON.stringify(stepper.counters)}`).toBeLessThan(100 * rtol);
+    }
+  });
+
+  test('order 8 needs far fewer evaluations than order 5 at a sharp tolerance', () => {
+    const evaluations = ['dopri5', 'dop853'].map((id) => {
+      const stepper = stepperOf({ id }, kepler, { rtol: 1e-12, atol: 1e-12 });
+      stepper.reset(0, keplerAt(0));
+      expect(run(stepper, 20)).toBeNull();
+      return stepper.counters.evaluations;
+    });
+    expect(evaluations[1]!).toBeLessThan(0.5 * evaluations[0]!);
+  });
+
+  test('the continuous output of order 8 costs three evaluations a step, and only where it is asked for', () => {
+    const stepper = stepperOf({ id: 'dop853' }, kepler, {});
+    stepper.reset(0, keplerAt(0));
+    stepper.step(10);
+    const { evaluations } = stepper.counters;
+    const state = new Float64Array(4);
+    for (const s of [0.2, 0.5, 0.9]) stepper.interpolate(s * stepper.t, state);
+    expect(stepper.counters.evaluations).toBe(evaluations + 3);
+  });
+
+  test('stage numbers that do not exist are refused', () => {
+    expect(() => stepperOf({ id: 'gauss', stages: 5 }, kepler, {})).toThrow(RangeError);
+    expect(() => stepperOf({ id: 'radau', stages: 1 }, kepler, {})).toThrow(RangeError);
+  });
+});
+
+describe('stiff problems', () => {
+  /** Prothero and Robinson's: cos t, and whatever is off it dies out like exp(-1000 t). */
+  const prothero = problem(1, (t, y, out) => {
+    out[0] = -1000 * (y[0]! - Math.cos(t)) - Math.sin(t);
+  });
+
+  /** Distances from cos t after each of 20 steps of 0.1, from distance 1: h lambda = -100. */
+  function distances(c: Pick<Case, 'id' | 'stages'>): number[] {
+    const stepper = stepperOf(c, prothero, equalSteps(c, 0.1));
+    stepper.reset(0, Float64Array.of(2));
+    const found: number[] = [];
+    expect(run(stepper, 2, () => found.push(stepper.y[0]! - Math.cos(stepper.t)))).toBeNull();
+    expect(found).toHaveLength(20);
+    return found;
+  }
+
+  test.each(['euler', 'rk4'])('%s is beyond its limit of stability and grows', (id) => {
+    expect(Math.abs(distances({ id })[9]!)).toBeGreaterThan(1e10);
+  });
+
+  test('Adams-Moulton rings: each deviation is -49/51 of the one before', () => {
+    const found = distances({ id: 'adams-moulton' });
+    [1, ...found].slice(0, -1).forEach((before, i) => expect(found[i]! / before).toBeCloseTo(-49 / 51, 3));
+  });
+
+  test.each([1, 2, 3, 4])('Gauss with %i stages stays bounded', (stages) => {
+    distances({ id: 'gauss', stages }).forEach((d) => expect(Math.abs(d)).toBeLessThan(1));
+  });
+
+  test.each([2, 3])('Radau with %i stages forgets', (stages) => {
+    expect(Math.abs(distances({ id: 'radau', stages })[4]!)).toBeLessThan(1e-4);
+  });
+
+  const robertson = (exact: boolean): OdeProblem =>
+    problem(3, (_t, y, out) => {
+      const [a, b, c] = y as unknown as [number, number, number];
+      out[0] = -0.04 * a + 1e4 * b * c;
+      out[2] = 3e7 * b * b;
+      out[1] = -out[0]! - out[2]!;
+    }, exact ? {
+      jacobian: (_t, y, out) => {
+        const [, b, c] = y as unknown as [number, number, number];
+        out.set([-0.04, 1e4 * c, 1e4 * b, 0.04, -1e4 * c - 6e7 * b, -1e4 * b, 0, 6e7 * b, 0]);
+        return true;
+      },
+    } : {});
+
+  /** Robertson's reaction at t = 40; SciPy 1.17.1's Radau at rtol 1e-11 gives the same digits. */
+  const ROBERTSON_40 = [0.7158270688, 9.185534765e-6, 0.2841637457];
+
+  test.each([
+    { id: 'radau', stages: 3, exact: true }, { id: 'radau', stages: 3, exact: false },
+    { id: 'radau', stages: 2, exact: true }, { id: 'gauss', stages: 3, exact: false },
+  ])('Robertson by $id $stages, exact Jacobian: $exact', ({ exact, ...c }) => {
+    const stepper = stepperOf(c, robertson(exact), { rtol: 1e-8, atol: 1e-13 });
+    stepper.reset(0, Float64Array.of(1, 0, 0));
+    expect(run(stepper, 40)).toBeNull();
+    ROBERTSON_40.forEach((value, i) => expect(Math.abs(stepper.y[i]! / value - 1)).toBeLessThan(1e-6));
+    const { steps, jacobians, factorizations } = stepper.counters;
+    expect(jacobians).toBeLessThan(steps);
+    expect(factorizations).toBeGreaterThanOrEqual(jacobians);
+  });
+
+  test('Radau takes a stiff oscillator (van der Pol, 1e-6) through its jumps in few steps', () => {
+    const stepper = stepperOf({ id: 'radau' }, problem(2, (_t, y, out) => {
+      out[0] = y[1]!;
+      out[1] = ((1 - y[0]! * y[0]!) * y[1]! - y[0]!) / 1e-6;
+    }), { rtol: 1e-7, atol: 1e-7 });
+    stepper.reset(0, Float64Array.of(2, -0.66));
+    expect(run(stepper, 2)).toBeNull();
+    // SciPy 1.17.1's Radau at rtol 1e-10 gives 1.706167 as well.
+    expect(Math.abs(stepper.y[0]! - 1.7061677321704)).toBeLessThan(1e-5);
+    expect(stepper.counters.steps).toBeLessThan(2000);
+  });
+});
+
+test('Gauss in equal steps keeps a quadratic invariant as well as its equations are solved', () => {
+  const stepper = stepperOf({ id: 'gauss', stages: 2 }, kepler, equalSteps({ id: 'gauss' }, 0.05));
+  stepper.reset(0, keplerAt(0));
+  const momentum = (y: Float64Array): number => y[0]! * y[3]! - y[1]! * y[2]!;
+  const start = momentum(stepper.y);
+  let drift = 0;
+  expect(run(stepper, 100, () => (drift = Math.max(drift, Math.abs(momentum(stepper.y) - start))))).toBeNull();
+  expect(drift).toBeLessThan(1e-10);
+});
+
+describe.each(cases)('contract: $name', (c) => {
+  const stepOf = implicit(c) ? 0.02 : 0.01;
+  const options = { rtol: 1e-7, atol: 1e-9, step: stepOf };
+
+  test('the limit is hit to the last bit and never passed', () => {
+    const stepper = stepperOf(c, kepler, options);
+    stepper.reset(0, keplerAt(0));
+    for (const limit of [0.1, 0.1 + 1e-9, 0.3, 0.7000000001, Math.PI / 3]) {
+      expect(run(stepper, limit, () => expect(stepper.t).toBeLessThanOrEqual(limit))).toBeNull();
+      expect(stepper.t).toBe(limit);
+    }
+  });
+
+  test('after a reset the same input gives the same bits, whatever was before', () => {
+    const stepper = stepperOf(c, kepler, options);
+    const twice = [0, 1].map(() => {
+      stepper.reset(0, keplerAt(0));
+      expect(run(stepper, 1)).toBeNull();
+      const between = new Float64Array(4);
+      stepper.interpolate((stepper.previousT + stepper.t) / 2, between);
+      const found = { y: [...stepper.y], between: [...between], counters: { ...stepper.counters } };
+      stepper.reset(0.2, Float64Array.of(1, 2, -1, 0.5));
+      expect(run(stepper, 1.3)).toBeNull();
+      return found;
+    });
+    expect(twice[1]).toEqual(twice[0]);
+  });
+
+  test('counters move', () => {
+    const stepper = stepperOf(c, kepler, options);
+    let calls = 0;
+    const counted = stepperOf(c, { ...kepler, derivative: (t, y, out) => (calls++, kepler.derivative(t, y, out)) }, options);
+    for (const s of [stepper, counted]) {
+      s.reset(0, keplerAt(0));
+      expect(run(s, 1)).toBeNull();
+    }
+    expect(counted.counters.evaluations).toBe(calls);
+    expect(counted.counters).toEqual(stepper.counters);
+    expect(stepper.counters.steps).toBeGreaterThan(0);
+    if (implicit(c)) {
+      expect(stepper.counters.jacobians).toBeGreaterThan(0);
+      expect(stepper.counters.factorizations).toBeGreaterThan(0);
+    }
+  });
+
+  test('what lies between the ends of a step does not depend on what happens to y afterwards', () => {
+    const [plain, moved] = [0, 1].map(() => {
+      const stepper = stepperOf(c, kepler, options);
+      stepper.reset(0, keplerAt(0));
+      expect(run(stepper, 0.3)).toBeNull();
+      return stepper;
+    }) as [Stepper, Stepper];
+    moved.y.fill(7);
+    moved.stateChanged();
+    const [a, b] = [new Float64Array(4), new Float64Array(4)];
+    for (const s of [0, 0.3, 1]) {
+      const t = plain.previousT + s * (plain.t - plain.previousT);
+      plain.interpolate(t, a);
+      moved.interpolate(t, b);
+      expect([...b]).toEqual([...a]);
+      expect(distance(a, keplerAt(t))).toBeLessThan(c.order === 1 ? 0.1 : 1e-3);
+    }
+  });
+
+  test('a state that was moved is where the next step starts from', () => {
+    const stepper = stepperOf(c, kepler, options);
+    stepper.reset(0, keplerAt(0));
+    expect(run(stepper, 0.3)).toBeNull();
+    stepper.y.set(keplerAt(2));
+    stepper.stateChanged();
+    expect(run(stepper, 0.8)).toBeNull();
+    expect(distance(stepper.y, keplerAt(2.5))).toBeLessThan(c.order === 1 ? 0.02 : 1e-3);
+  });
+
+  test.each([
+    { what: 'has no value', value: false, failure: 'constraint-singular' },
+    { what: 'is not a number', value: true, failure: null },
+  ])('where f $what the step fails by name and moves nothing', ({ value, failure }) => {
+    const wall = 0.5;
+    const stepper = stepperOf(c, {
+      dimension: 4,
+      failure,
+      derivative: (t, y, out) => {
+        if (t <= wall) return kepler.derivative(t, y, out);
+        out.fill(NaN);
+        return value;
+      },
+    }, options);
+    stepper.reset(0, keplerAt(0));
+    let last = { t: 0, previousT: 0, y: [...stepper.y] };
+    const found = run(stepper, 1, () => (last = { t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }));
+    expect(found).toBe(failure ?? 'non-finite');
+    expect({ t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }).toEqual(last);
+    expect(stepper.t).toBeLessThanOrEqual(wall + stepOf);
+    expect(stepper.t).toBeGreaterThan(wall - 2 * stepOf);
+    const state = new Float64Array(4);
+    const middle = (stepper.previousT + stepper.t) / 2;
+    stepper.interpolate(middle, state);
+    expect(distance(state, keplerAt(middle))).toBeLessThan(c.order === 1 ? 0.1 : 1e-3);
+  });
+});
+
+test('an implicit equation without a solution is a failure called newton', () => {
+  // y1 = y0 + h/2 (1 + y0^2 + 1 + y1^2) has no real solution for h = 3.
+  const stepper = stepperOf({ id: 'adams-moulton' }, problem(1, (_t, y, out) => void (out[0] = 1 + y[0]! ** 2)), { step: 3 });
+  stepper.reset(0, Float64Array.of(1));
+  expect(stepper.step(10)).toBe('newton');
+  expect([stepper.t, stepper.y[0]]).toEqual([0, 1]);
+});

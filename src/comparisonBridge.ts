@@ -4,6 +4,9 @@ import { download } from './app/download.ts';
 import type { App } from './app/types.ts';
 import type { LinePlot } from './charts/linePlot.ts';
 
+/** Ends after which a curve's last values mean nothing. */
+const ABANDONED: ReadonlySet<string> = new Set(['non-finite', 'newton', 'step-too-small']);
+
 /** Draws one column of every method's run into an element, renewed as rows come. Returns how to end it. */
 export function plotComparison(
   app: App,
@@ -23,9 +26,9 @@ export function plotComparison(
     let frame = 0;
     const draw = (): void => {
       frame = 0;
-      plot?.setData(comparison.outcomes.peek().flatMap(({ contender, trajectory }, i) => {
+      plot?.setData(comparison.outcomes.peek().flatMap(({ contender, trajectory, state, reason }, i) => {
         const y = trajectory?.column(column);
-        return y ? [{ label: contender.label, ...style(i), x: trajectory!.column('t')!, y }] : [];
+        return y ? [{ label: contender.label, ...style(i), x: trajectory!.column('t')!, y, loose: state === 'ended' && ABANDONED.has(reason) }] : [];
       }));
     };
     stop = effect(() => {

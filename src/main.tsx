@@ -3,7 +3,7 @@ import { render } from 'preact';
 import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
-import { formulations, methods } from './core/integrators/registry.ts';
+import { formulations, methods } from './core/integrators/methods.ts';
 import { plotComparison, saveOutcomes, savePicture } from './comparisonBridge.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';

@@ -8,6 +8,8 @@ export interface PlotSeries {
   dash?: readonly number[];
   x: Float64Array | readonly number[];
   y: Float64Array | readonly number[];
+  /** Does not stretch the axis: a curve that ran away would flatten the others. */
+  loose?: boolean;
 }
 
 export interface PlotOptions {
@@ -32,6 +34,7 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
   let plot: uPlot | null = null;
   let shape = '';
   const size = { width: 320, height: 180 };
+  let limits: [number, number] | null = null;
 
   const build = (series: readonly PlotSeries[], data: uPlot.AlignedData): void => {
     plot?.destroy();
@@ -41,10 +44,10 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
         ...size,
         legend: { show: false },
         cursor: { drag: { x: true, y: false } },
-        scales: { x: { time: false }, y: options.logarithmic ? { distr: 3 } : {} },
+        scales: { x: { time: false }, y: { ...(options.logarithmic ? { distr: 3 as const } : {}), range: (_plot, low, high) => limits ?? [low, high] } },
         axes: [
           { ...axis, label: options.xLabel, size: 28 },
-          { ...axis, label: options.yLabel, size: 52 },
+          { ...axis, label: options.yLabel, size: 60 },
         ],
         series: [{}, ...series.map((s) => ({ label: s.label, stroke: s.color, width: 1.5, dash: s.dash ? [...s.dash] : undefined, points: { show: false }, spanGaps: true }))],
       },
@@ -56,6 +59,7 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
   return {
     setData(series) {
       const data = aligned(series, options.logarithmic ?? false);
+      limits = limitsOf(series, options.logarithmic ?? false);
       const next = JSON.stringify(series.map((s) => [s.label, s.color, s.dash]));
       if (!plot || next !== shape) {
         shape = next;
@@ -75,6 +79,24 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
       plot = null;
     },
   };
+}
+
+/** What the curves that may stretch the axis need, with a little air; null when there are none. */
+function limitsOf(series: readonly PlotSeries[], logarithmic: boolean): [number, number] | null {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const { y, loose } of series) {
+    if (loose) continue;
+    for (const v of y) {
+      if (!Number.isFinite(v) || (logarithmic && v <= 0)) continue;
+      if (v < low) low = v;
+      if (v > high) high = v;
+    }
+  }
+  if (!(low <= high)) return null;
+  if (logarithmic) return [low / 2, high * 2];
+  const air = 0.05 * (high - low || Math.abs(high) || 1);
+  return [low - air, high + air];
 }
 
 /** Columns on one x, as uPlot wants them. */

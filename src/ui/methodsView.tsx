@@ -25,7 +25,6 @@ export interface MethodsProps {
   savePicture(host: HTMLElement): void;
 }
 
-const all: readonly MethodChoice[] = [...reportMethods, ...otherMethods];
 const COLUMNS = ['energy', 'residual', 'alpha_fp', 'alpha_bp', 'theta_fc', 'Z', 'X', 'Y'];
 
 export function MethodsDialog({ open, ...props }: MethodsProps & { open: Signal<boolean> }) {
@@ -39,7 +38,10 @@ export function MethodsDialog({ open, ...props }: MethodsProps & { open: Signal<
 
 function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
   const ui = useUi();
-  const chosen = useSignal<ReadonlySet<string>>(new Set(['qr', 'collocation', 'ida', 'blt', 'dopri5']));
+  const all = [...reportMethods, ...otherMethods].filter(({ method }) =>
+    ui.methods.some((m) => m.id === method.name) && (method.formulation === undefined || ui.formulations.some((f) => f.id === method.formulation)),
+  );
+  const chosen = useSignal<ReadonlySet<string>>(new Set(all.filter((c) => c.report || c.id === 'dopri5' || c.id === 'dop853').map((c) => c.id)));
   const settings = useSignal<ReadonlyMap<string, Partial<MethodOptions>>>(new Map());
   const column = useSignal('alpha_fp');
   const problem = useSignal('');
@@ -110,8 +112,12 @@ function Row({ choice, outcome, index, settings, chosen, onChange }: {
       </th>
       <td class="settings">
         {keys.map((key) => (
-          <label key={key}>{key} <input type="number" step="any" min="0" value={settings[key] as number} aria-label={`${choice.label}, ${key}`}
-            onChange={(e) => { if (e.currentTarget.valueAsNumber > 0) onChange(choice.id, key, e.currentTarget.valueAsNumber); }} /></label>
+          <label key={key}>{key} <input type="text" inputMode="decimal" value={short(settings[key]!)} aria-label={`${choice.label}, ${key}`}
+            onChange={(event) => {
+              const value = Number(event.currentTarget.value);
+              if (value > 0 && value < Infinity) onChange(choice.id, key, value);
+              else event.currentTarget.value = short(settings[key]!);
+            }} /></label>
         ))}
       </td>
       <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
@@ -127,6 +133,9 @@ function Row({ choice, outcome, index, settings, chosen, onChange }: {
     </tr>
   );
 }
+
+/** `1e-6` rather than `0.000001`. */
+const short = (x: number): string => (x < 1e-3 ? x.toExponential().replace('.0e', 'e') : String(x));
 
 function standing(outcome: Outcome): string {
   if (outcome.state === 'ended') return text.status.reasons[outcome.reason] ?? outcome.reason;

@@ -2,7 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { gauss, radau } from '../../src/core/integrators/collocationCoefficients.ts';
 import type { OdeProblem, StepFailure, Stepper, StepperOptions } from '../../src/core/integrators/contract.ts';
 import { A, B3, C, E5 } from '../../src/core/integrators/dop853Coefficients.ts';
-import { methodNamed } from '../../src/core/integrators/registry.ts';
+import { methods, type MethodInfo } from '../../src/core/integrators/methods.ts';
+import { createStepper } from '../../src/core/integrators/registry.ts';
 
 type Derivative = (t: number, y: Float64Array, out: Float64Array) => boolean | void;
 
@@ -59,7 +60,7 @@ const cases: readonly Case[] = table.map((c) => ({ ...c, name: c.stages ? `${c.i
 const implicit = (c: Case): boolean => c.id === 'gauss' || c.id === 'radau' || c.id === 'adams-moulton';
 
 function stepperOf(c: Pick<Case, 'id' | 'stages'>, p: OdeProblem, options: Partial<StepperOptions>): Stepper {
-  return methodNamed(c.id)!.create(p, { rtol: 1e-8, atol: 1e-10, ...(c.stages ? { stages: c.stages } : {}), ...options });
+  return createStepper(c.id, p, { rtol: 1e-8, atol: 1e-10, ...(c.stages ? { stages: c.stages } : {}), ...options })!;
 }
 
 /** Equal steps: collocation without error control, explicit pairs with a tolerance that nothing exceeds. */
@@ -133,7 +134,7 @@ describe('order of convergence', () => {
 });
 
 describe('step control', () => {
-  const controlled = cases.filter((c) => methodNamed(c.id)!.adaptive && c.stages !== 1);
+  const controlled = cases.filter((c) => (methods as readonly MethodInfo[]).find((m) => m.id === c.id)!.adaptive && c.stages !== 1);
 
   test.each(controlled)('$name: the error over an orbit follows the tolerance', (c) => {
     const period = 2 * Math.PI;

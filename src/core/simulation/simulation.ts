@@ -4,7 +4,8 @@ import { eventsOf, type EventFunction } from '../dynamics/events.ts';
 import { actuationOf, type Actuation } from '../dynamics/forcing.ts';
 import { Projection } from '../dynamics/projection.ts';
 import type { OdeProblem, Stepper } from '../integrators/contract.ts';
-import { formulations, methodNamed, methods } from '../integrators/registry.ts';
+import { formulations, methods, type MethodInfo } from '../integrators/methods.ts';
+import { createStepper } from '../integrators/registry.ts';
 import { ScenarioError, type Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 
@@ -275,8 +276,11 @@ export class Simulation {
 
   private newStepper(): Stepper {
     const { method } = this.scenario;
-    const info = methodNamed(method.name);
+    const info: MethodInfo | undefined = methods.find((m) => m.id === method.name);
     if (!info) throw new ScenarioError('method.name', `"${method.name}" is not available; right would be ${methods.map((m) => m.id).join(', ')}`);
+    if (method.stages !== undefined && !info.stages?.includes(method.stages)) {
+      throw new ScenarioError('method.stages', info.stages ? `${info.id} has ${info.stages.join(', ')} stages, not ${method.stages}` : `${info.id} has no choice of stages; leave it out`);
+    }
     if (!formulations.some((f) => f.id === method.formulation)) {
       throw new ScenarioError('method.formulation', `"${method.formulation}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
     }
@@ -294,7 +298,7 @@ export class Simulation {
         return dynamics.failure;
       },
     };
-    return info.create(problem, method);
+    return createStepper(info.id, problem, method)!;
   }
 }
 

@@ -22,7 +22,7 @@ export function openContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingCon
 }
 
 /** Runs once when the browser has nothing better to do; returns a number above zero. */
-function whenIdle(work: () => void): number {
+export function whenIdle(work: () => void): number {
   if (typeof requestIdleCallback === 'function') return requestIdleCallback(work, { timeout: 2000 });
   return window.setTimeout(work, 300);
 }

@@ -32,7 +32,8 @@ export class Forces {
     // Unit height from the origin along y, three's own axis for both.
     const shaft = new CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0);
     const head = new ConeGeometry(1, 1, 16).translate(0, 0.5, 0);
-    const solid = new MeshLambertMaterial({ toneMapped: false, emissive: '#ffffff', emissiveIntensity: 0 });
+    // Drawn after the ground, which would cover an arrow that dips below it.
+    const solid = new MeshLambertMaterial({ toneMapped: false, transparent: true });
     const faint = new MeshBasicMaterial({ toneMapped: false, transparent: true, opacity: 0.4, depthTest: false, depthWrite: false });
     this.shafts = new InstancedMesh(shaft, solid, MOST);
     this.heads = new InstancedMesh(head, solid, MOST);

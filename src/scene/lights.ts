@@ -22,7 +22,7 @@ export class Lights {
     this.hemisphere.position.set(0, 0, 1); // its axis: up is z here
     this.key.castShadow = true;
     this.key.shadow.mapSize.set(shadowSize, shadowSize);
-    this.key.shadow.radius = 3;
+    this.key.shadow.radius = 7;
     this.key.shadow.bias = -0.0004;
     this.key.shadow.normalBias = 0.004;
     Object.assign(this.key.shadow.camera, { left: -REACH, right: REACH, top: REACH, bottom: -REACH, near: 0.1, far: 4.5 });

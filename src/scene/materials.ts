@@ -17,7 +17,7 @@ const FINISHES: readonly (Finish & { words: RegExp })[] = [
   { kind: 'accent', words: /accent/, roughness: 0.5, metalness: 0, plainMetalness: 0, glow: 0.12 },
   { kind: 'rubber', words: /rubber|grip|tread|traction|pad|tyre|tire/, roughness: 0.92, metalness: 0, plainMetalness: 0, glow: 0 },
   { kind: 'urethane', words: /urethane|\bpu\b|wheel/, roughness: 0.28, metalness: 0, plainMetalness: 0, glow: 0.16 },
-  { kind: 'steel', words: /steel|chrome|bolt|screw|bearing|axle|iron/, roughness: 0.32, metalness: 1, plainMetalness: 0.35, glow: 0 },
+  { kind: 'steel', words: /steel|chrome|bolt|screw|bearing|axle|iron/, roughness: 0.32, metalness: 1, plainMetalness: 0.22, glow: 0 },
   { kind: 'aluminium', words: /alumin|alloy|metal/, roughness: 0.42, metalness: 0.9, plainMetalness: 0.2, glow: 0 },
 ];
 const PLASTIC: Finish = { kind: 'plastic', roughness: 0.58, metalness: 0, plainMetalness: 0, glow: 0 };

@@ -33,9 +33,9 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
     gridStrong: '#aeb7c0',
     label: '#5b6670',
     sky: '#ffffff',
-    bounce: '#b9b4ac',
+    bounce: '#d6d2cb',
     key: '#fff6ea',
-    light: { hemisphere: 1.5, key: 2.4, fill: 0.8, environment: 0.55, shadow: 0.3, contact: 0.3 },
+    light: { hemisphere: 1.65, key: 2.4, fill: 0.8, environment: 0.55, shadow: 0.24, contact: 0.34 },
   },
   dark: {
     part: { board: '#b4bcc4', front: '#E69F00', back: '#56B4E9' },
@@ -45,8 +45,8 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
     gridStrong: '#4a535e',
     label: '#a3adb8',
     sky: '#d5e2f2',
-    bounce: '#3a3d42',
+    bounce: '#565b63',
     key: '#fff1e0',
-    light: { hemisphere: 1.35, key: 2.6, fill: 1.0, environment: 0.5, shadow: 0.55, contact: 0.5 },
+    light: { hemisphere: 1.5, key: 2.6, fill: 1.0, environment: 0.5, shadow: 0.5, contact: 0.55 },
   },
 };

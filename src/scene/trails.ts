@@ -1,5 +1,5 @@
 /** Ground tracks of the skates: lines of constant width on the screen, drawn up to the current time. */
-import { type InstancedBufferGeometry, type Scene, DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three';
+import { type InstancedBufferGeometry, type Scene, DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute, Sphere } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -18,6 +18,7 @@ function lineOver(points: Float32Array, material: LineMaterial): { line: LineSeg
   geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));
   geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
   geometry.instanceCount = 0;
+  geometry.boundingSphere = new Sphere(undefined, Number.MAX_VALUE); // for sorting only; measuring it would read every point
   const line = new LineSegments2(geometry, material);
   line.frustumCulled = false; // its bounds would have to be measured again with every point
   line.renderOrder = -7;

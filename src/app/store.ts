@@ -182,6 +182,9 @@ class Runs {
     const origin = state.origin.peek();
     const title = origin.scenario === draft ? origin.title : `${origin.title}, changed`;
     let motion: Motion | null = null;
+    const before = state.run.peek();
+    // From now on what the page says of a run is said of this one.
+    state.run.value = { kind: 'computing', progress: 0 };
     this.client.start(scenario, {
       started: (columns, adjustments, notes) => {
         motion = {
@@ -200,7 +203,6 @@ class Runs {
           judgement: null,
         };
         if (notes.length > 0) messages.add('info', 'About the start', notes);
-        state.run.value = { kind: 'computing', progress: 0 };
       },
       rows: (columns, rows, time, counts) => {
         motion!.trajectory.append(columns, rows);
@@ -219,7 +221,7 @@ class Runs {
       refused: (path, message) => {
         messages.add('error', 'The run could not go on', [path && !message.startsWith(path) ? `${path}: ${message}` : message]);
         if (state.motion.peek() === motion && motion) state.run.value = { kind: 'ended', reason: 'failed', message, time: motion.trajectory.end };
-        else state.run.value = null;
+        else state.run.value = before?.kind === 'ended' ? before : null;
       },
     });
   }

@@ -1,8 +1,7 @@
 import { effect, type Signal } from '@preact/signals';
 import type { Stage } from './app/stage.ts';
 import type { App, Motion } from './app/types.ts';
-import type { Cast, Frame, MeshPair } from './scene/contract.ts';
-import type { SceneView } from './scene/scene.ts';
+import type { BodyModel, CasterGeometry, MeshPair, SceneView } from './scene/contract.ts';
 
 /** Which mesh a body wears: both casters wear one. */
 const MESH_OF: Readonly<Record<string, string>> = { 'front-caster': 'caster', 'back-caster': 'caster' };
@@ -11,11 +10,14 @@ const SHAPING = ['rodLength', 'rodRadius', 'plateLength', 'plateWidth', 'plateTh
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
 export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: Stage, problem: Signal<string | null>): Promise<void> {
-  const { SceneView } = await import('./scene/scene.ts');
+  const { createScene } = await import('./scene/scene.ts');
+  const { state } = app;
+  const stillness = matchMedia('(prefers-reduced-motion: reduce)');
   let view: SceneView;
   try {
-    view = new SceneView(canvas, {
-      theme: app.state.theme.peek(),
+    view = createScene(canvas, {
+      theme: state.theme.peek(),
+      reducedMotion: stillness.matches,
       onContextLost: () => void (problem.value = 'The graphics processor gave up the 3-D view; it comes back by itself. Nothing is lost.'),
       onContextRestored: () => void (problem.value = null),
     });
@@ -25,7 +27,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
   }
   (window as unknown as { ripstikScene: SceneView }).ripstikScene = view;
   fitToElement(canvas, view);
-  const { state } = app;
+  stillness.addEventListener('change', () => view.setReducedMotion(stillness.matches));
   effect(() => view.setTheme(state.theme.value));
   effect(() => view.setSwitches({ trails: state.showTrails.value, forces: state.showForces.value }));
   effect(() => view.setFollow(state.follow.value));
@@ -39,19 +41,9 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     // A pause at the newest row of a growing run must redraw when rows come.
     void state.rowsVersion.value;
     if (!sampler.sample(time)) return;
-    view.setFrame(frameOf(motion, time, sampler, state.showForces.value));
+    view.setTrails(sampler.tracks());
+    view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: state.showForces.value ? sampler.forces(time) : [] });
   });
-  (window.requestIdleCallback ?? ((then: () => void) => setTimeout(then, 500)))(() => view.improve());
-}
-
-function frameOf(motion: Motion, time: number, sampler: NonNullable<Stage['sampler']['value']>, forces: boolean): Frame {
-  return {
-    time,
-    poses: sampler.poses,
-    wheelAngles: new Map(motion.system.contacts.map((contact, i) => [contact.body, sampler.wheelAngles[i]!])),
-    forces: forces ? sampler.forces(time) : [],
-    trails: sampler.tracks(),
-  };
 }
 
 function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
@@ -71,11 +63,11 @@ function dress(app: App, view: SceneView): void {
     if (key === wearing) return;
     wearing = key;
     const now = ++turn;
-    void castOf(motion, own).then(
-      (cast) => {
+    void pairsOf(motion, own).then(
+      (pairs) => {
         if (now !== turn) return;
         try {
-          view.setCast(cast);
+          view.setModels(pairs, geometryOf(motion), bodiesOf(motion));
         } catch (error) {
           app.actions.report('error', 'The mesh could not be shown', [(error as Error).message, 'The bodies on the stage are as before.']);
         }
@@ -85,23 +77,20 @@ function dress(app: App, view: SceneView): void {
   });
 }
 
-async function castOf(motion: Motion, own: ReadonlyMap<string, Partial<MeshPair>>): Promise<Cast> {
+const bodiesOf = (motion: Motion): BodyModel[] => motion.system.meta.bodies.map(({ id, part }) => ({ id, part, model: MESH_OF[id] ?? id }));
+
+function geometryOf({ parameters }: Motion): CasterGeometry {
+  const of = (name: string): number => parameters[name] ?? 0;
+  return { casterAngle: of('casterAngle'), wheelRadius: of('wheelRadius'), casterTrail: of('casterTrail'), casterDrop: of('casterDrop') };
+}
+
+/** The mesh pairs by name: the shipped files for the default proportions, made anew for others, and the person's own on top. */
+async function pairsOf(motion: Motion, own: ReadonlyMap<string, Partial<MeshPair>>): Promise<Record<string, MeshPair>> {
   const { meta } = motion.system;
   const isDefault = SHAPING.every((name) => motion.parameters[name] === meta.parameters.find((p) => p.name === name)?.default);
-  const names = [...new Set(meta.bodies.map((b) => MESH_OF[b.id] ?? b.id))];
+  const names = [...new Set(bodiesOf(motion).map((b) => b.model))];
   const pairs = isDefault ? await loadModels(names) : await makeModels(motion.parameters);
-  const radius = motion.parameters['wheelRadius'] ?? 0;
-  const tilt = motion.parameters['casterAngle'] ?? 0;
-  // World up at rest in the caster's frame leads from the skate point to the hub.
-  const hub = [-radius * Math.sin(tilt), 0, radius * Math.cos(tilt)] as const;
-  return {
-    parts: meta.bodies.map(({ id, part }) => ({ id, part })),
-    models: meta.bodies.map((b) => {
-      const name = MESH_OF[b.id] ?? b.id;
-      return { ...pairs.get(name)!, ...own.get(name) };
-    }),
-    hubs: meta.bodies.map(() => hub),
-  };
+  return Object.fromEntries(names.map((name) => [name, { ...pairs.get(name)!, ...own.get(name) }]));
 }
 
 async function loadModels(names: readonly string[]): Promise<Map<string, MeshPair>> {

@@ -1,144 +1,216 @@
-import * as THREE from 'three';
+/** The moving bodies: meshes from text, placed by pose. */
+import {
+  type BufferGeometry, type Group as GroupType, type Material, type Scene,
+  type Matrix4, type MeshStandardMaterial, Box3, Group, Mesh, Vector3,
+} from 'three';
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import type { BodyPart, MeshPair } from './contract.ts';
-import { materialFor } from './materials.ts';
+import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
+import type { BodyModel, CasterGeometry, MeshPair } from './contract.ts';
+import { dress, surfaceFrom } from './materials.ts';
+import { checkMaterials, checkMesh, MeshError } from './meshText.ts';
 import type { Palette } from './palette.ts';
 
-/** One rigid body on the stage: an object whose matrix is the pose, and the wheel in it that can spin. */
-class Body {
-  readonly root = new THREE.Group();
-  readonly part: BodyPart['part'];
-  private wheel: THREE.Group | null = null;
+/** Edges sharper than this (rad) stay edges where the file gives no normals. */
+const CREASE = 0.6;
 
-  constructor(id: string, part: BodyPart['part']) {
-    this.root.name = id;
-    this.root.matrixAutoUpdate = false;
-    this.part = part;
-  }
+/** The board's bodies in the order of its poses; both casters are drawn from one pair. */
+export const boardBodies: readonly BodyModel[] = [
+  { id: 'rod', part: 'board', model: 'rod' },
+  { id: 'front-plate', part: 'front', model: 'front-plate' },
+  { id: 'back-plate', part: 'back', model: 'back-plate' },
+  { id: 'front-caster', part: 'front', model: 'caster' },
+  { id: 'back-caster', part: 'back', model: 'caster' },
+];
 
-  /** Puts other meshes in place; `hub` is the wheel's centre in the body's frame. */
-  dress(model: THREE.Group, hub: THREE.Vector3): void {
-    this.clear();
-    this.wheel = new THREE.Group();
-    this.wheel.position.copy(hub);
-    this.root.add(this.wheel);
-    for (const mesh of [...model.children]) {
-      mesh.castShadow = true;
-      mesh.receiveShadow = true;
-      if (mesh.name === 'wheel' && mesh instanceof THREE.Mesh) {
-        (mesh.geometry as THREE.BufferGeometry).translate(-hub.x, -hub.y, -hub.z);
-        this.wheel.add(mesh);
-      } else {
-        this.root.add(mesh);
-      }
-    }
-  }
-
-  spin(angle: number): void {
-    if (this.wheel) this.wheel.rotation.y = angle;
-  }
-
-  recolour(palette: Palette): void {
-    this.root.traverse((object) => {
-      if (!(object instanceof THREE.Mesh)) return;
-      for (const material of [object.material].flat() as THREE.MeshStandardMaterial[]) {
-        if (material.name === 'accent') material.color.set(palette[this.part]);
-      }
+/** One pair as a group in the body's own frame (m). Throws `MeshError`; never touches the network. */
+export function parsePair(pair: MeshPair, name: string): GroupType {
+  const mesh = checkMesh(pair.mdl, `${name}.mdl`);
+  const materials = checkMaterials(pair.mat, `${name}.mat`);
+  try {
+    const group = new OBJLoader().setMaterials(new MTLLoader().parse(materials, '')).parse(mesh);
+    const withNormals = /^vn\s/m.test(mesh);
+    group.traverse((child) => {
+      if (!(child instanceof Mesh)) return;
+      const part = child as Mesh<BufferGeometry, Material | Material[]>;
+      if (!withNormals) part.geometry = toCreasedNormals(part.geometry, CREASE);
+      part.material = Array.isArray(part.material) ? part.material.map(surfaceFrom) : surfaceFrom(part.material);
+      part.castShadow = part.receiveShadow = true;
     });
-  }
-
-  clear(): void {
-    this.root.traverse((object) => {
-      if (!(object instanceof THREE.Mesh)) return;
-      (object.geometry as THREE.BufferGeometry).dispose();
-      for (const material of [object.material].flat() as THREE.Material[]) material.dispose();
-    });
-    this.root.clear();
-    this.wheel = null;
+    return group;
+  } catch (error) {
+    throw new MeshError(`${name}.mdl: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
   }
 }
 
-/** All bodies of the system on the stage, in the order of their poses. */
-export class Bodies {
-  readonly group = new THREE.Group();
-  private list: Body[] = [];
-  private readonly matrix = new THREE.Matrix4();
+interface Drawn {
+  model: BodyModel;
+  /** Moves with the pose. */
+  root: GroupType;
+  /** Spins about the hub's y axis; null on a body without a wheel. */
+  wheel: GroupType | null;
+  surfaces: MeshStandardMaterial[];
+  /** Bounds in the body's frame. */
+  box: Box3;
+}
 
-  /** Replaces every body. `hubs` are wheel centres by body; bodies without one have none to spin. */
-  set(parts: readonly BodyPart[], models: readonly MeshPair[], hubs: readonly (readonly [number, number, number])[], palette: Palette): void {
-    // All are read before any is put in place: a bad file leaves the stage as it was.
-    const read = parts.map((part, i) => readModel(part.id, models[i]!, palette[part.part]));
-    for (const body of this.list) body.clear();
-    this.group.clear();
-    this.list = parts.map((part, i) => {
-      const body = new Body(part.id, part.part);
-      body.dress(read[i]!, new THREE.Vector3(...hubs[i]!));
-      this.group.add(body.root);
-      return body;
-    });
+export class Bodies {
+  private readonly scene: Scene;
+  private drawn: Drawn[] = [];
+  private geometry: CasterGeometry | null = null;
+  private readonly hidden = new Set<number>();
+  private palette: Palette;
+  private environment = false;
+  /** Last poses and wheel angles, kept for bodies that come after them; the caller reuses its arrays. */
+  private poses: Float64Array | null = null;
+  private angles = new Float64Array(0);
+
+  constructor(scene: Scene, palette: Palette) {
+    this.scene = scene;
+    this.palette = palette;
   }
 
   get count(): number {
-    return this.list.length;
+    return this.drawn.length;
   }
 
-  pose(poses: Float64Array): void {
-    this.list.forEach((body, i) => {
-      const o = 12 * i;
-      this.matrix.set(
-        poses[o + 3]!, poses[o + 4]!, poses[o + 5]!, poses[o]!,
-        poses[o + 6]!, poses[o + 7]!, poses[o + 8]!, poses[o + 1]!,
-        poses[o + 9]!, poses[o + 10]!, poses[o + 11]!, poses[o + 2]!,
-        0, 0, 0, 1,
-      );
-      body.root.matrix.copy(this.matrix);
-      body.root.matrixWorldNeedsUpdate = true;
+  /** Replaces all bodies, or throws and leaves those that were there. */
+  setModels(models: Readonly<Record<string, MeshPair>>, geometry: CasterGeometry, bodies: readonly BodyModel[]): void {
+    const next = bodies.map((model) => {
+      const pair = models[model.model];
+      if (!pair) throw new MeshError(`There is no model “${model.model}” for the body “${model.id}”`);
+      return this.build(model, parsePair(pair, model.model), geometry);
     });
+    this.drawn.forEach((body) => this.remove(body));
+    this.drawn = next;
+    this.geometry = geometry;
+    next.forEach((body) => this.add(body));
+    this.arrange();
   }
 
-  /** Wheel angles (rad) by body. */
-  spin(angles: ReadonlyMap<number, number>): void {
-    for (const [body, angle] of angles) this.list[body]?.spin(angle);
+  /** Replaces one body (`front-caster`) or every body of one model (`caster`), or throws and leaves them. */
+  replace(id: string, pair: MeshPair): void {
+    const indices = this.drawn.flatMap(({ model }, i) => (model.id === id || model.model === id ? [i] : []));
+    if (indices.length === 0 || !this.geometry) {
+      const names = [...new Set(this.drawn.flatMap(({ model }) => [model.id, model.model]))].join(', ');
+      throw new MeshError(`There is no body “${id}”${names === '' ? '' : `; the bodies are ${names}`}`);
+    }
+    const next = indices.map((i) => this.build(this.drawn[i]!.model, parsePair(pair, id), this.geometry!));
+    indices.forEach((i, k) => {
+      this.remove(this.drawn[i]!);
+      this.drawn[i] = next[k]!;
+      this.add(next[k]!);
+    });
+    this.arrange();
   }
 
-  recolour(palette: Palette): void {
-    for (const body of this.list) body.recolour(palette);
+  /** Poses: 12 numbers per body, position then rotation by rows; null hides all. Angles (rad): one per wheel, in body order. */
+  place(poses: Float64Array | null, wheelAngles: Float64Array): void {
+    if (poses && this.poses?.length === poses.length) this.poses.set(poses);
+    else this.poses = poses?.slice() ?? null;
+    if (this.angles.length === wheelAngles.length) this.angles.set(wheelAngles);
+    else this.angles = wheelAngles.slice();
+    this.arrange();
   }
 
   setVisible(index: number, visible: boolean): void {
-    const body = this.list[index];
-    if (body) body.root.visible = visible;
+    if (visible) this.hidden.delete(index);
+    else this.hidden.add(index);
+    this.show(index);
   }
 
-  matrixOf(index: number): THREE.Matrix4 | null {
-    return this.list[index]?.root.matrix ?? null;
+  setLook(palette: Palette, environment: boolean): void {
+    this.palette = palette;
+    this.environment = environment;
+    for (const { model, surfaces } of this.drawn) for (const s of surfaces) dress(s, model.part, palette, environment);
   }
 
-  boxOf(index: number): THREE.Box3 | null {
-    const body = this.list[index];
-    return body ? new THREE.Box3().setFromObject(body.root) : null;
+  matrix(index: number): Matrix4 | null {
+    return this.has(index) ? this.drawn[index]!.root.matrix : null;
+  }
+
+  /** The eight corners of the body's bounds, in world axes (m). */
+  corners(index: number): Vector3[] {
+    if (!this.has(index)) return [];
+    const body = this.drawn[index]!;
+    const { min, max } = body.box;
+    return Array.from({ length: 8 }, (_, k) =>
+      new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(body.root.matrix),
+    );
+  }
+
+  /** Middle of a wheel's bounds in world axes (m), or null on a body without one. */
+  wheelCentre(index: number): Vector3 | null {
+    const wheel = this.drawn[index]?.wheel;
+    return wheel ? new Box3().setFromObject(wheel, true).getCenter(new Vector3()) : null;
+  }
+
+  dispose(): void {
+    this.drawn.forEach((body) => this.remove(body));
+    this.drawn = [];
+  }
+
+  private build(model: BodyModel, group: GroupType, geometry: CasterGeometry): Drawn {
+    const root = new Group();
+    root.matrixAutoUpdate = false;
+    root.name = model.id;
+    const box = new Box3().setFromObject(group);
+    const surfaces: MeshStandardMaterial[] = [];
+    group.traverse((child) => {
+      if (child instanceof Mesh) surfaces.push(...([child.material].flat() as MeshStandardMaterial[]));
+    });
+    const spinning = group.children.filter((child) => /^wheel\b/i.test(child.name));
+    let wheel: GroupType | null = null;
+    if (spinning.length > 0) {
+      // The frame is tilted by the caster angle and its origin touches the ground: the hub is straight above it at rest.
+      const hub = new Vector3(-Math.sin(geometry.casterAngle), 0, Math.cos(geometry.casterAngle)).multiplyScalar(geometry.wheelRadius);
+      wheel = new Group();
+      wheel.position.copy(hub);
+      for (const child of spinning) {
+        child.position.sub(hub);
+        wheel.add(child);
+      }
+      root.add(wheel);
+    }
+    root.add(...group.children.slice());
+    return { model, root, wheel, surfaces, box };
+  }
+
+  /** Puts what is drawn where the last poses say. */
+  private arrange(): void {
+    let wheel = 0;
+    this.drawn.forEach((body, i) => {
+      this.show(i);
+      if (!this.has(i)) return;
+      const p = this.poses!.subarray(12 * i, 12 * i + 12) as unknown as Row;
+      body.root.matrix.set(p[3], p[4], p[5], p[0], p[6], p[7], p[8], p[1], p[9], p[10], p[11], p[2], 0, 0, 0, 1);
+      body.root.matrixWorldNeedsUpdate = true;
+      if (body.wheel) body.wheel.rotation.y = this.angles[wheel++] ?? 0;
+    });
+  }
+
+  /** Whether a body is drawn and has a pose. */
+  private has(index: number): boolean {
+    return index in this.drawn && this.poses !== null && this.poses.length >= 12 * (index + 1);
+  }
+
+  private show(index: number): void {
+    const body = this.drawn[index];
+    if (body) body.root.visible = this.has(index) && !this.hidden.has(index);
+  }
+
+  private add(body: Drawn): void {
+    for (const s of body.surfaces) dress(s, body.model.part, this.palette, this.environment);
+    this.scene.add(body.root);
+  }
+
+  private remove(body: Drawn): void {
+    this.scene.remove(body.root);
+    body.root.traverse((child) => {
+      if (child instanceof Mesh) (child.geometry as BufferGeometry).dispose();
+    });
+    for (const s of body.surfaces) s.dispose();
   }
 }
 
-/**
- * Meshes of a .mdl/.mat pair (Wavefront OBJ and MTL text).
- * @throws Error naming the body and what is wrong with its file
- */
-export function readModel(id: string, pair: MeshPair, accent: string): THREE.Group {
-  const creator = new MTLLoader().parse(pair.mat, '');
-  creator.preload();
-  const model = new OBJLoader().setMaterials(creator).parse(pair.mdl);
-  let triangles = 0;
-  for (const object of model.children) {
-    if (!(object instanceof THREE.Mesh)) continue;
-    const geometry = object.geometry as THREE.BufferGeometry;
-    const positions = geometry.getAttribute('position');
-    if (!(positions.array as Float32Array).every(Number.isFinite)) throw new Error(`${id}.mdl: a face of "${object.name}" names a point that does not exist or is not a number`);
-    triangles += positions.count / 3;
-    const materials = ([object.material].flat() as THREE.Material[]).map((m) => materialFor(m, accent));
-    object.material = Array.isArray(object.material) ? materials : materials[0]!;
-  }
-  if (triangles === 0) throw new Error(`${id}.mdl: there are no faces in it; a mesh needs v and f lines`);
-  return model;
-}
+type Row = [number, number, number, number, number, number, number, number, number, number, number, number];

@@ -1,66 +1,127 @@
-import * as THREE from 'three';
+/** The camera, the hand that turns it, and following the board. */
+import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { ViewName } from './contract.ts';
+import { FIELD_OF_VIEW, type Triple } from './views.ts';
 
-/** A slightly long lens: little distortion of a board half a metre away. */
-const FIELD_OF_VIEW = 28;
+/** Length of a change of view (ms). */
+const GLIDE = 160;
 
-/** Where a view looks from: along heading, to the left of it, and up, in metres for a landscape frame. */
-export const viewOffsets: Readonly<Record<ViewName, { from: readonly [number, number, number]; at: 'board' | 'front-caster' }>> = {
-  orbit: { from: [1.25, -1.45, 0.95], at: 'board' },
-  front: { from: [2.1, 0, 0.12], at: 'board' },
-  side: { from: [0, -2.3, 0.12], at: 'board' },
-  // Straight down leaves the orbit no direction to turn in; a hair behind keeps the heading up.
-  top: { from: [-0.004, 0, 2.6], at: 'board' },
-  caster: { from: [0.26, -0.52, 0.1], at: 'front-caster' },
-};
+export class CameraRig {
+  readonly camera: PerspectiveCamera;
+  private readonly controls: OrbitControls;
+  private readonly requestRender: () => void;
+  /** A change of view under way; `began` is the animation frame's own time (ms), null before its first frame. */
+  private glide: { began: number | null; from: Placement; to: Placement } | null = null;
+  private still: boolean;
+  /** Between a gesture and the end of its inertia. */
+  private settling = false;
+  private quiet = false;
 
-/** Camera and orbit; in follow mode both move with what the view looks at. */
-export class Camera {
-  readonly camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.02, 60);
-  readonly controls: OrbitControls;
-  follow = true;
-  view: ViewName = 'orbit';
-  private readonly focus = new THREE.Vector3();
-  private readonly moved = new THREE.Vector3();
-
-  constructor(element: HTMLElement, changed: () => void) {
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, element);
-    this.controls.minDistance = 0.15;
-    this.controls.maxDistance = 12;
+  constructor(canvas: HTMLCanvasElement, reducedMotion: boolean, requestRender: () => void) {
+    this.camera = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI, 1, 0.02, 100);
+    this.camera.up.set(0, 0, 1); // before the controls, which read it once
+    this.camera.position.set(1, -1.6, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.minDistance = 0.12;
+    this.controls.maxDistance = 40;
     this.controls.maxPolarAngle = 0.497 * Math.PI; // the eye stays above the level of what it looks at
-    this.controls.addEventListener('change', changed);
+    this.controls.dampingFactor = 0.15;
+    this.requestRender = requestRender;
+    this.still = reducedMotion;
+    this.setReducedMotion(reducedMotion);
+    this.controls.addEventListener('change', () => {
+      if (!this.quiet) requestRender();
+    });
+    this.controls.addEventListener('start', () => {
+      this.glide = null;
+    });
+    this.controls.addEventListener('end', () => {
+      this.settling = this.controls.enableDamping;
+      requestRender();
+    });
   }
 
-  resize(width: number, height: number): void {
-    this.camera.aspect = width / height;
-    // A narrow frame keeps the width of a square one, so that the board still fits.
-    const half = THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2);
-    this.camera.fov = this.camera.aspect >= 1.25 ? FIELD_OF_VIEW : THREE.MathUtils.radToDeg(2 * Math.atan((Math.tan(half) * 1.25) / this.camera.aspect));
+  get target(): Vector3 {
+    return this.controls.target;
+  }
+
+  get distance(): number {
+    return this.camera.position.distanceTo(this.controls.target);
+  }
+
+  setReducedMotion(reduced: boolean): void {
+    this.still = reduced;
+    this.controls.enableDamping = !reduced;
+  }
+
+  setAspect(aspect: number): void {
+    this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
   }
 
-  /** What the current view looks at now; in follow mode the camera comes along (height stays, or bumps would shake it). */
-  track(point: THREE.Vector3): void {
-    this.moved.subVectors(point, this.focus);
-    this.focus.copy(point);
-    if (!this.follow) return;
-    if (this.view !== 'caster') this.moved.z = 0;
-    this.camera.position.add(this.moved);
-    this.controls.target.add(this.moved);
-    this.controls.update();
+  /** Goes to a place: at once, or gliding where motion is welcome. */
+  go(camera: Triple, target: Triple, instantly: boolean): void {
+    const to = { camera: new Vector3(...camera), target: new Vector3(...target) };
+    if (instantly || this.still) {
+      this.glide = null;
+      this.put(to.camera, to.target);
+    } else {
+      this.glide = { began: null, from: { camera: this.camera.position.clone(), target: this.target.clone() }, to };
+    }
+    this.requestRender();
   }
 
-  /** Looks at a point from the view's own direction relative to a heading (rad, about z). */
-  setView(view: ViewName, point: THREE.Vector3, heading: number): void {
-    this.view = view;
-    this.focus.copy(point);
-    const [ahead, left, up] = viewOffsets[view].from;
-    const c = Math.cos(heading);
-    const s = Math.sin(heading);
-    this.controls.target.copy(point);
-    this.camera.position.set(point.x + ahead * c - left * s, point.y + ahead * s + left * c, point.z + up);
-    this.controls.update();
+  /** Moves camera and target together (m), also what a change of view is heading for. */
+  shift(delta: Vector3): void {
+    if (this.glide) for (const place of [this.glide.from, this.glide.to]) {
+      place.camera.add(delta);
+      place.target.add(delta);
+    }
+    this.put(this.camera.position.clone().add(delta), this.target.clone().add(delta));
   }
+
+  /** Before each picture; `now` is the animation frame's time (ms). Asks for another picture while in motion. */
+  update(now: number): void {
+    if (this.glide) {
+      this.glide.began ??= now;
+      const share = Math.min(1, (now - this.glide.began) / GLIDE);
+      const eased = share * share * (3 - 2 * share);
+      const { from, to } = this.glide;
+      this.put(from.camera.clone().lerp(to.camera, eased), from.target.clone().lerp(to.target, eased));
+      if (share < 1) this.requestRender();
+      else this.glide = null;
+    } else if (this.settling) {
+      if (this.quietly(() => this.controls.update())) this.requestRender();
+      else this.settling = false;
+    }
+    const { distance } = this;
+    this.camera.near = Math.max(0.01, 0.02 * distance);
+    this.camera.far = 20 + 40 * distance;
+    this.camera.updateProjectionMatrix();
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+
+  private put(camera: Vector3, target: Vector3): void {
+    this.camera.position.copy(camera);
+    this.controls.target.copy(target);
+    this.quietly(() => this.controls.update());
+  }
+
+  /** The controls report moves that we made ourselves; those ask for no second picture. */
+  private quietly<T>(work: () => T): T {
+    this.quiet = true;
+    try {
+      return work();
+    } finally {
+      this.quiet = false;
+    }
+  }
+}
+
+interface Placement {
+  camera: Vector3;
+  target: Vector3;
 }

@@ -4,43 +4,95 @@ export interface BodyPart {
   part: 'board' | 'front' | 'back';
 }
 
-/** Text of a .mdl (OBJ) and a .mat (MTL) file. */
-export interface MeshPair {
-  mdl: string;
-  mat: string;
+/** A body and the name of the mesh pair that draws it. */
+export interface BodyModel extends BodyPart {
+  model: string;
 }
 
-/** What a stage is set with: bodies in the order of their poses, and where wheels turn. */
-export interface Cast {
-  parts: readonly BodyPart[];
-  models: readonly MeshPair[];
-  /** Wheel centre of each body in its frame (m); unused for bodies without a `wheel` group. */
-  hubs: readonly (readonly [number, number, number])[];
-}
-
-/** One moment, ready to draw. World: right-handed, Z up, metres. */
+/** One moment, ready to draw. */
 export interface Frame {
   time: number;
-  /** 12 numbers per body: position, then rotation matrix by rows (body to world). */
+  /** 12 numbers per body: position, then rotation matrix by rows (body to world), Z up. */
   poses: Float64Array;
-  /** Rolled angle (rad) by body. */
-  wheelAngles: ReadonlyMap<number, number>;
-  /** Constraint forces: world origin (m) and vector (N). */
-  forces: readonly {
-    part: 'front' | 'back';
-    kind: 'lateral' | 'vertical';
-    origin: readonly [number, number, number];
-    vector: readonly [number, number, number];
-  }[];
-  trails: readonly Trail[];
+  /** Rolled angle (rad) about each wheel's axle (+y, forwards positive), one per body with a wheel, in body order; empty when unknown. */
+  wheelAngles: Float64Array;
+  /** Constraint forces: world origin and vector in N, or empty. */
+  forces: readonly { part: 'front' | 'back'; kind: 'lateral' | 'vertical'; origin: readonly [number, number, number]; vector: readonly [number, number, number] }[];
 }
 
-/** Ground track of a skate point: 3 floats per point, times rising; arrays are replaced when they grow. */
+/** Ground tracks so far: x, y, z triples per skate, times rising; views into growing arrays. */
 export interface Trail {
   part: 'front' | 'back';
+  /** 3 floats per point. */
   points: Float32Array;
   times: Float64Array;
   count: number;
 }
 
+export interface MeshPair {
+  /** Text of the .mdl (OBJ) file. */
+  mdl: string;
+  /** Text of the .mat (MTL) file. */
+  mat: string;
+}
+
+/** Where the wheel sits in its caster's frame (rad, m): the hub is at wheelRadius (-sin(casterAngle), 0, cos(casterAngle)). */
+export interface CasterGeometry {
+  casterAngle: number;
+  wheelRadius: number;
+  casterTrail: number;
+  casterDrop: number;
+}
+
 export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+
+/** `high` and `low` are orders; `auto` leaves out what a software renderer or a slow device cannot afford. */
+export type Quality = 'low' | 'high' | 'auto';
+
+export interface SceneOptions {
+  theme: 'light' | 'dark';
+  reducedMotion: boolean;
+  quality?: Quality;
+  /** After the first picture with bodies in it. */
+  onFirstFrame?: () => void;
+  onContextLost?: () => void;
+  onContextRestored?: () => void;
+}
+
+/** In CSS pixels from the canvas's top left corner. */
+export interface ScreenBox {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+export interface SceneView {
+  /** Bodies in the order of the poses. Throws `MeshError` and keeps the bodies that were there. */
+  setModels(models: Readonly<Record<string, MeshPair>>, geometry: CasterGeometry, bodies?: readonly BodyModel[]): void;
+  /** One body (`front-caster`) or all bodies of a model (`caster`). Throws `MeshError` and keeps what was there. */
+  replaceBody(id: string, pair: MeshPair): void;
+  /** Read at once and not kept: the arrays may be reused. Null empties the scene. */
+  setFrame(frame: Frame | null): void;
+  /** Tracks so far; call again when they have grown or changed. Drawn up to the frame's time. */
+  setTrails(trails: readonly Trail[]): void;
+  setView(name: ViewName): void;
+  setFollow(follow: boolean): void;
+  setSwitches(switches: { trails: boolean; forces: boolean }): void;
+  setTheme(theme: 'light' | 'dark'): void;
+  setReducedMotion(reduced: boolean): void;
+  /** CSS pixels and device pixels per CSS pixel. */
+  resize(width: number, height: number, devicePixelRatio: number): void;
+  setBodyVisible(index: number, visible: boolean): void;
+  /** Asks for one picture; any number of requests before it give one. */
+  requestRender(): void;
+  /** Pictures drawn so far, what the last one held, and the bodies on the stage. */
+  stats(): { frames: number; triangles: number; calls: number; bodies: number };
+  /** World position of a body's origin (m), or null when it is not drawn. */
+  bodyPosition(index: number): [number, number, number] | null;
+  /** Body to world, 16 numbers by columns. */
+  bodyMatrix(index: number): number[] | null;
+  /** The body's bounds as projected; null when it is not drawn or reaches behind the camera. */
+  screenBox(index: number): ScreenBox | null;
+  dispose(): void;
+}

@@ -1,138 +1,148 @@
-import * as THREE from 'three';
+/** The ground: a disc around what is looked at, with a metric grid, that fades into the background. */
+import { type Scene, type Vector3, CircleGeometry, Color, DoubleSide, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vector2, Vector4 } from 'three';
 import type { Palette } from './palette.ts';
 
-/** Radius of the ground disc (m); it follows the board, so it seems to have no end. */
-const RADIUS = 14;
-/** Metre labels on each side of the board. */
-const LABEL_REACH = 3;
+/** Size of the shadow's catcher (m): a little more than the shadow camera sees. */
+const CATCHER = 2.6;
 
-const VERTEX = /* glsl */ `
-varying vec3 place;
-void main() {
-  vec4 world = modelMatrix * vec4(position, 1.0);
-  place = world.xyz;
-  gl_Position = projectionMatrix * viewMatrix * world;
-}`;
+const vertexShader = /* glsl */ `
+  varying vec2 ground;
+  void main() {
+    vec4 place = modelMatrix * vec4(position, 1.0);
+    ground = place.xy;
+    gl_Position = projectionMatrix * viewMatrix * place;
+  }
+`;
 
-/** Lines one pixel wide at any distance (fwidth), 0.1 m fine and 1 m strong; fine ones fade before they alias. */
-const FRAGMENT = /* glsl */ `
-varying vec3 place;
-uniform vec2 centre;
-uniform vec3 ground, fineLine, strongLine, background;
-float grid(vec2 p, float spacing, float width) {
-  vec2 x = p / spacing;
-  vec2 w = fwidth(x);
-  vec2 d = abs(fract(x - 0.5) - 0.5) / max(w, vec2(1e-6));
-  vec2 line = 1.0 - smoothstep(width - 0.5, width + 0.5, d);
-  // Where a cell is only a few pixels wide the lines would moire: they fade first.
-  vec2 clear = 1.0 - smoothstep(vec2(0.12), vec2(0.4), w);
-  return max(line.x * clear.x, line.y * clear.y);
-}
-void main() {
-  float far = smoothstep(1.5, ${RADIUS.toFixed(1)}, length(place.xy - centre));
-  vec3 color = mix(ground, fineLine, 0.75 * grid(place.xy, 0.1, 0.5));
-  color = mix(color, strongLine, grid(place.xy, 1.0, 0.8));
-  gl_FragColor = vec4(mix(color, background, far), 1.0);
-  #include <colorspace_fragment>
-}`;
+const fragmentShader = /* glsl */ `
+  varying vec2 ground;
+  uniform vec2 centre;
+  uniform float reach, opacity, contact;
+  uniform vec3 background, surface, fine, strong;
+  uniform vec4 board;    // x, y, heading, height of the board
+  uniform vec4 skates;   // x, y of both skate points
+  uniform vec2 heights;  // of both skate points
 
-/**
- * Ground with a metric grid. It is drawn first and writes no depth, so that a board that falls through it,
- * as the report's does, stays visible.
- */
+  // Coverage of lines one cell apart, each 'width' pixels wide; lines closer than two pixels melt into a tone.
+  vec2 lines(float cell, float width) {
+    vec2 c = ground / cell;
+    vec2 perPixel = max(fwidth(c), 1e-6);
+    vec2 away = abs(fract(c - 0.5) - 0.5) / perPixel;
+    return clamp(0.5 + 0.5 * width - away, 0.0, 1.0) * (1.0 - smoothstep(0.08, 0.4, perPixel));
+  }
+
+  float blob(vec2 place, float size, float height) {
+    vec2 d = ground - place;
+    float spread = size + 0.6 * max(height, 0.0);
+    return exp(-dot(d, d) / (spread * spread)) * size * size / (spread * spread);
+  }
+
+  void main() {
+    float away = length(ground - centre) / reach;
+    float near = 1.0 - smoothstep(0.12, 1.0, away);
+    vec3 colour = mix(background, surface, near);
+
+    // Light that the board keeps from the ground: long and soft below the deck, small and dark at the wheels.
+    vec2 d = ground - board.xy;
+    vec2 along = vec2(cos(board.z) * d.x + sin(board.z) * d.y, cos(board.z) * d.y - sin(board.z) * d.x);
+    float spread = 1.0 + 4.0 * max(board.w, 0.0);
+    vec2 e = along / (vec2(0.36, 0.12) * spread);
+    float dark = 0.6 * exp(-dot(e, e)) / (spread * spread);
+    dark += 0.7 * blob(skates.xy, 0.03, heights.x) + 0.7 * blob(skates.zw, 0.03, heights.y);
+    colour *= 1.0 - contact * min(dark, 1.0);
+
+    vec2 thin = lines(0.1, 1.0);
+    vec2 thick = lines(1.0, 1.6);
+    colour = mix(colour, fine, near * max(thin.x, thin.y) * 0.9);
+    colour = mix(colour, strong, sqrt(near) * near * max(thick.x, thick.y));
+    gl_FragColor = vec4(colour, opacity);
+    #include <colorspace_fragment>
+  }
+`;
+
 export class Ground {
-  readonly group = new THREE.Group();
-  private readonly grid: THREE.Mesh<THREE.CircleGeometry, THREE.ShaderMaterial>;
-  private readonly shadow: THREE.Mesh<THREE.CircleGeometry, THREE.ShadowMaterial>;
-  private readonly labels = new Map<string, THREE.Sprite>();
-  private labelColour = '#000';
-  private cell = '';
+  private readonly disc: Mesh<CircleGeometry, ShaderMaterial>;
+  private readonly catcher: Mesh<PlaneGeometry, ShadowMaterial>;
+  private readonly uniforms = {
+    centre: { value: new Vector2() },
+    reach: { value: 6 },
+    opacity: { value: 1 },
+    contact: { value: 0 },
+    background: { value: new Color() },
+    surface: { value: new Color() },
+    fine: { value: new Color() },
+    strong: { value: new Color() },
+    board: { value: new Vector4(0, 0, 0, 1e3) },
+    skates: { value: new Vector4() },
+    heights: { value: new Vector2(1e3, 1e3) },
+  };
+  private strength = 0;
+  private shown = false;
+  private sunk = false;
 
-  constructor() {
-    const uniforms = {
-      centre: { value: new THREE.Vector2() },
-      ground: { value: new THREE.Color() },
-      fineLine: { value: new THREE.Color() },
-      strongLine: { value: new THREE.Color() },
-      background: { value: new THREE.Color() },
-    };
-    this.grid = new THREE.Mesh(
-      new THREE.CircleGeometry(RADIUS, 48),
-      new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms, depthWrite: false, side: THREE.DoubleSide, toneMapped: false }),
-    );
-    this.grid.renderOrder = -2;
-    this.shadow = new THREE.Mesh(new THREE.CircleGeometry(2.5, 32), new THREE.ShadowMaterial({ depthWrite: false }));
-    this.shadow.receiveShadow = true;
-    this.shadow.renderOrder = -1;
-    this.group.add(this.grid, this.shadow);
+  constructor(scene: Scene, palette: Palette) {
+    // Neither writes depth: ground, shadow, labels and tracks lie in one plane and are simply drawn in this order.
+    const material = new ShaderMaterial({
+      uniforms: this.uniforms, vertexShader, fragmentShader, transparent: true, depthWrite: false, side: DoubleSide, toneMapped: false,
+    });
+    this.disc = new Mesh(new CircleGeometry(1, 96), material);
+    this.disc.frustumCulled = false;
+    this.disc.renderOrder = -10;
+    this.catcher = new Mesh(new PlaneGeometry(CATCHER, CATCHER), new ShadowMaterial({ depthWrite: false, toneMapped: false, fog: false }));
+    this.catcher.receiveShadow = true;
+    this.catcher.renderOrder = -9;
+    scene.add(this.disc, this.catcher);
+    this.setPalette(palette);
   }
 
   setPalette(palette: Palette): void {
-    const { uniforms } = this.grid.material;
-    for (const name of ['ground', 'fineLine', 'strongLine', 'background'] as const) (uniforms[name]!.value as THREE.Color).set(palette[name]);
-    this.shadow.material.opacity = palette.shadow;
-    this.labelColour = palette.label;
-    this.clearLabels();
+    const { background, surface, fine, strong } = this.uniforms;
+    background.value.set(palette.background);
+    surface.value.set(palette.ground);
+    fine.value.set(palette.gridFine);
+    strong.value.set(palette.gridStrong);
+    this.catcher.material.opacity = palette.light.shadow;
+    this.strength = palette.light.contact;
+    if (this.shown) this.uniforms.contact.value = this.strength;
   }
 
-  /** Keeps the disc under the board and the labels on the metre lines near it. */
-  follow(x: number, y: number): void {
-    this.grid.position.set(x, y, 0);
-    this.shadow.position.set(x, y, 0);
-    (this.grid.material.uniforms['centre']!.value as THREE.Vector2).set(x, y);
-    const cell = `${Math.round(x)},${Math.round(y)}`;
-    if (cell === this.cell) return;
-    this.cell = cell;
-    this.placeLabels(Math.round(x), Math.round(y));
+  /** Board: position (m) and heading (rad). Skates: the points that touch the ground, front then back; null without wheels. */
+  followBoard(position: Triple, heading: number, height: number, front: Triple | null, back: Triple | null): void {
+    this.uniforms.board.value.set(position[0], position[1], heading, height);
+    this.uniforms.skates.value.set(front?.[0] ?? 0, front?.[1] ?? 0, back?.[0] ?? 0, back?.[1] ?? 0);
+    this.uniforms.heights.value.set(Math.abs(front?.[2] ?? 1e3), Math.abs(back?.[2] ?? 1e3));
+    this.uniforms.contact.value = this.strength;
+    this.shown = true;
+    this.catcher.position.set(position[0], position[1], 0);
+    this.catcher.visible = position[2] > -0.2;
+    // A board that fell through (free bodies know no ground) is seen through it.
+    this.sunk = position[2] < -0.2;
   }
 
-  /** X along the metre line to the right of the board, Y along the one behind it. */
-  private placeLabels(x: number, y: number): void {
-    const wanted = new Map<string, [number, number]>();
-    for (let i = -LABEL_REACH; i <= LABEL_REACH; i++) {
-      wanted.set(`x ${x + i} m`, [x + i, y - 1]);
-      wanted.set(`y ${y + i} m`, [x - 1, y + i]);
+  clearBoard(): void {
+    this.uniforms.contact.value = 0;
+    this.shown = false;
+    this.catcher.visible = false;
+    this.sunk = false;
+  }
+
+  /** Fades around the target (m); `distance` is the camera's from it, and sets how far the ground is drawn. */
+  followView(target: Vector3, distance: number, eyeHeight: number): void {
+    const reach = 2.2 + 3.2 * distance;
+    this.uniforms.centre.value.set(target.x, target.y);
+    this.uniforms.reach.value = reach;
+    this.uniforms.opacity.value = eyeHeight < 0 || this.sunk ? 0.3 : 1;
+    this.disc.position.set(target.x, target.y, 0);
+    this.disc.scale.setScalar(reach);
+    this.disc.updateMatrixWorld();
+  }
+
+  dispose(): void {
+    for (const mesh of [this.disc, this.catcher]) {
+      mesh.geometry.dispose();
+      mesh.material.dispose();
     }
-    for (const [text, sprite] of this.labels) {
-      if (wanted.has(text)) continue;
-      this.drop(sprite);
-      this.labels.delete(text);
-    }
-    for (const [text, [lx, ly]] of wanted) {
-      const sprite = this.labels.get(text) ?? this.label(text);
-      sprite.position.set(lx + 0.02, ly + 0.02, 0.004);
-      this.labels.set(text, sprite);
-      this.group.add(sprite);
-    }
-  }
-
-  private label(text: string): THREE.Sprite {
-    const canvas = document.createElement('canvas');
-    canvas.width = 128;
-    canvas.height = 32;
-    const context = canvas.getContext('2d')!;
-    context.font = '22px system-ui, sans-serif';
-    context.fillStyle = this.labelColour;
-    context.textBaseline = 'middle';
-    context.fillText(text.replace('-', '−'), 2, 16);
-    const map = new THREE.CanvasTexture(canvas);
-    map.colorSpace = THREE.SRGBColorSpace;
-    const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map, depthWrite: false, toneMapped: false }));
-    sprite.center.set(0, 0);
-    sprite.scale.set(0.2, 0.05, 1);
-    sprite.renderOrder = -1;
-    return sprite;
-  }
-
-  private clearLabels(): void {
-    for (const sprite of this.labels.values()) this.drop(sprite);
-    this.labels.clear();
-    this.cell = '';
-  }
-
-  private drop(sprite: THREE.Sprite): void {
-    this.group.remove(sprite);
-    sprite.material.map?.dispose();
-    sprite.material.dispose();
   }
 }
+
+type Triple = readonly [number, number, number];

@@ -1,40 +1,82 @@
-import * as THREE from 'three';
+/** Studio light: a wide sky, one key light with the shadow, one weak fill, and (where affordable) a room to mirror. */
+import { type Scene, type WebGLRenderer, DirectionalLight, HemisphereLight, PMREMGenerator, type Texture } from 'three';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import type { Palette } from './palette.ts';
 
-/** Soft studio light: sky and bounce, a key light whose shadow follows the board, a low fill for undersides. */
-export class Lights {
-  readonly group = new THREE.Group();
-  private readonly sky = new THREE.HemisphereLight(0xffffff, 0xffffff, 1.5);
-  private readonly key = new THREE.DirectionalLight(0xffffff, 2.4);
-  private readonly fill = new THREE.DirectionalLight(0xffffff, 1.1);
-  private readonly keyOffset = new THREE.Vector3(0.9, -1.3, 3.2);
+/** Half of the shadowed square around the board (m): the board is 0.9 m long. */
+const REACH = 0.62;
+/** From the board to the key light (m): steep, so that the shadow lies under the board and tells its height. */
+const KEY = [0.5, -0.42, 1.7] as const;
 
-  constructor() {
-    this.sky.position.set(0, 0, 1);
-    const { shadow } = this.key;
+export class Lights {
+  private readonly scene: Scene;
+  private readonly hemisphere = new HemisphereLight();
+  private readonly key = new DirectionalLight();
+  private readonly fill = new DirectionalLight();
+  private room: Texture | null = null;
+  private palette: Palette;
+
+  constructor(scene: Scene, palette: Palette, shadowSize: number) {
+    this.scene = scene;
+    this.palette = palette;
+    this.hemisphere.position.set(0, 0, 1); // its axis: up is z here
     this.key.castShadow = true;
-    shadow.mapSize.set(1024, 1024);
-    // A box of 1.4 m around the board: all of it, at about 1.4 mm a texel.
-    Object.assign(shadow.camera, { left: -0.7, right: 0.7, top: 0.7, bottom: -0.7, near: 0.5, far: 7 });
-    shadow.radius = 5;
-    shadow.bias = -0.0004;
-    shadow.normalBias = 0.004;
-    this.fill.position.set(-2, 1.5, -0.6);
-    this.group.add(this.sky, this.key, this.key.target, this.fill);
+    this.key.shadow.mapSize.set(shadowSize, shadowSize);
+    this.key.shadow.radius = 7;
+    this.key.shadow.bias = -0.0004;
+    this.key.shadow.normalBias = 0.004;
+    Object.assign(this.key.shadow.camera, { left: -REACH, right: REACH, top: REACH, bottom: -REACH, near: 0.1, far: 4.5 });
+    this.fill.position.set(-1.2, 1.4, 0.7);
+    scene.add(this.hemisphere, this.key, this.key.target, this.fill);
+    this.setPalette(palette);
+  }
+
+  get hasRoom(): boolean {
+    return this.room !== null;
   }
 
   setPalette(palette: Palette): void {
-    this.sky.color.set(palette.sky);
-    this.sky.groundColor.set(palette.bounce);
+    this.palette = palette;
+    this.hemisphere.color.set(palette.sky);
+    this.hemisphere.groundColor.set(palette.bounce);
+    this.key.color.set(palette.key);
+    this.fill.color.set(palette.sky);
+    this.key.intensity = palette.light.key;
+    this.fill.intensity = palette.light.fill;
+    // The room brings its own soft light: the sky gives way to it.
+    this.hemisphere.intensity = palette.light.hemisphere * (this.room ? 0.45 : 1);
+    this.scene.environmentIntensity = palette.light.environment;
   }
 
-  /** With an environment map the sky light would count twice. */
-  setEnvironment(present: boolean): void {
-    this.sky.intensity = present ? 0.7 : 1.5;
-  }
-
+  /** Keeps the shadow around the board (m). A board high above the ground takes its light down with it. */
   follow(x: number, y: number, z: number): void {
-    this.key.target.position.set(x, y, z);
-    this.key.position.copy(this.key.target.position).add(this.keyOffset);
+    const height = Math.min(Math.max(z, 0), 2);
+    this.key.target.position.set(x, y, z - height);
+    this.key.position.set(x + KEY[0], y + KEY[1], z - height + KEY[2] + height);
+  }
+
+  /** Renders the room once: cheap on a graphics card, seconds in software. */
+  makeRoom(renderer: WebGLRenderer): void {
+    this.dropRoom();
+    const generator = new PMREMGenerator(renderer);
+    const room = new RoomEnvironment();
+    room.rotation.x = Math.PI / 2; // made for Y up
+    this.room = generator.fromScene(room, 0.04).texture;
+    room.dispose();
+    generator.dispose();
+    this.scene.environment = this.room;
+    this.setPalette(this.palette);
+  }
+
+  dropRoom(): void {
+    this.room?.dispose();
+    this.room = null;
+    this.scene.environment = null;
+    this.setPalette(this.palette);
+  }
+
+  dispose(): void {
+    this.dropRoom();
+    this.key.shadow.map?.dispose();
   }
 }

@@ -1,29 +1,56 @@
-import * as THREE from 'three';
+/** Surfaces: what a material of a mesh file looks like, by its name and colour. */
+import { type Material, Color, MeshStandardMaterial } from 'three';
+import type { Palette, Part } from './palette.ts';
 
-/** Roughness and metalness by material name of the meshes; a dropped mesh with other names gets the last line. */
-const FINISH: Readonly<Record<string, [roughness: number, metalness: number]>> = {
-  'deck-rubber': [0.82, 0],
-  grip: [0.95, 0],
-  accent: [0.45, 0],
-  shell: [0.6, 0.05],
-  aluminium: [0.38, 0.75],
-  steel: [0.3, 0.85],
-  urethane: [0.32, 0],
-  mark: [0.5, 0],
-  seal: [0.7, 0],
-  other: [0.7, 0.05],
-};
-
-export function finishOf(name: string): [roughness: number, metalness: number] {
-  return FINISH[name] ?? FINISH['other']!;
+export interface Finish {
+  kind: 'aluminium' | 'steel' | 'rubber' | 'urethane' | 'accent' | 'plastic';
+  roughness: number;
+  /** With an environment to mirror. */
+  metalness: number;
+  /** Without one: a mirror of nothing is black, so metals turn into bright satin. */
+  plainMetalness: number;
+  /** Share of its own colour that shines through, for bodies that let light in. */
+  glow: number;
 }
 
-/** A physically based material with the colour of the file's and the finish of its name. */
-export function materialFor(source: THREE.Material, accent: string): THREE.MeshStandardMaterial {
-  const [roughness, metalness] = finishOf(source.name);
-  const given = (source as THREE.MeshPhongMaterial).color ?? new THREE.Color(0.6, 0.6, 0.6);
-  const color = source.name === 'accent' ? new THREE.Color(accent) : given.clone();
-  const material = new THREE.MeshStandardMaterial({ name: source.name, color, roughness, metalness });
-  material.side = source.side;
-  return material;
+const FINISHES: readonly (Finish & { words: RegExp })[] = [
+  { kind: 'accent', words: /accent/, roughness: 0.5, metalness: 0, plainMetalness: 0, glow: 0.12 },
+  { kind: 'rubber', words: /rubber|grip|tread|traction|pad|tyre|tire/, roughness: 0.92, metalness: 0, plainMetalness: 0, glow: 0 },
+  { kind: 'urethane', words: /urethane|\bpu\b|wheel/, roughness: 0.28, metalness: 0, plainMetalness: 0, glow: 0.16 },
+  { kind: 'steel', words: /steel|chrome|bolt|screw|bearing|axle|iron/, roughness: 0.32, metalness: 1, plainMetalness: 0.22, glow: 0 },
+  { kind: 'aluminium', words: /alumin|alloy|metal/, roughness: 0.42, metalness: 0.9, plainMetalness: 0.2, glow: 0 },
+];
+const PLASTIC: Finish = { kind: 'plastic', roughness: 0.58, metalness: 0, plainMetalness: 0, glow: 0 };
+
+/** The finish that a material's name asks for; plastic when it asks for none. */
+export function finishOf(name: string): Finish {
+  const lower = name.toLowerCase();
+  return FINISHES.find((finish) => finish.words.test(lower)) ?? PLASTIC;
+}
+
+/** A lit surface for a material of a mesh file. `source.color` (Kd) is kept; textures are not. */
+export function surfaceFrom(source: Material & { color?: Color }): MeshStandardMaterial {
+  const finish = finishOf(source.name);
+  const color = source.color?.clone() ?? new Color('#9aa1a8');
+  const surface = new MeshStandardMaterial({
+    name: source.name,
+    color,
+    roughness: finish.roughness,
+    metalness: finish.plainMetalness,
+    emissive: color.clone(),
+    emissiveIntensity: finish.glow,
+    transparent: source.opacity < 1,
+    opacity: source.opacity,
+  });
+  surface.userData['finish'] = finish;
+  return surface;
+}
+
+/** Gives the surface its theme: the accent's colour, and a metal's look with or without an environment. */
+export function dress(surface: MeshStandardMaterial, part: Part, palette: Palette, environment: boolean): void {
+  const finish = surface.userData['finish'] as Finish;
+  surface.metalness = environment ? finish.metalness : finish.plainMetalness;
+  if (finish.kind !== 'accent') return;
+  surface.color.set(palette.part[part]);
+  surface.emissive.copy(surface.color);
 }

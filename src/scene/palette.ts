@@ -1,26 +1,52 @@
-/** Colours of the scene. Front orange and back blue are a pair that colour-blind people tell apart (Okabe and Ito). */
+/**
+ * Colours of the scene, as CSS strings in sRGB.
+ *
+ * Front and back take the vermilion/blue and orange/sky-blue pairs of Okabe and Ito's palette for colour-blind readers
+ * (https://jfly.uni-koeln.de/color/): the darker pair on the light ground, the lighter pair on the dark one.
+ */
+export type Theme = 'light' | 'dark';
+export type Part = 'board' | 'front' | 'back';
+
 export interface Palette {
+  /** Meaning: front, back, whole board. */
+  part: Readonly<Record<Part, string>>;
   background: string;
+  /** Ground near the board; it fades into the background. */
   ground: string;
-  fineLine: string;
-  strongLine: string;
+  gridFine: string;
+  gridStrong: string;
   label: string;
-  front: string;
-  back: string;
-  board: string;
+  /** Hemisphere light, from above and from below. */
   sky: string;
   bounce: string;
-  shadow: number;
-  exposure: number;
+  key: string;
+  /** Strengths: hemisphere, key, fill, environment (0 to 1 of the room), and how dark a shadow is (0 to 1). */
+  light: Readonly<{ hemisphere: number; key: number; fill: number; environment: number; shadow: number; contact: number }>;
 }
 
-export const palettes: Readonly<Record<'light' | 'dark', Palette>> = {
+export const palettes: Readonly<Record<Theme, Palette>> = {
   light: {
-    background: '#eceef1', ground: '#e2e5e9', fineLine: '#c9ced6', strongLine: '#a3abb7', label: '#5b6472',
-    front: '#d55e00', back: '#0072b2', board: '#5b6472', sky: '#ffffff', bounce: '#b9b4ac', shadow: 0.3, exposure: 1.0,
+    part: { board: '#4c545c', front: '#D55E00', back: '#0072B2' },
+    background: '#e6eaee',
+    ground: '#f6f7f8',
+    gridFine: '#d9dee3',
+    gridStrong: '#aeb7c0',
+    label: '#5b6670',
+    sky: '#ffffff',
+    bounce: '#d6d2cb',
+    key: '#fff6ea',
+    light: { hemisphere: 1.65, key: 2.4, fill: 0.8, environment: 0.55, shadow: 0.24, contact: 0.34 },
   },
   dark: {
-    background: '#14171c', ground: '#1b1f26', fineLine: '#2a303a', strongLine: '#434c5a', label: '#8d98a8',
-    front: '#f0a030', back: '#56b4e9', board: '#9aa5b5', sky: '#dfe8f5', bounce: '#747c8a', shadow: 0.55, exposure: 1.05,
+    part: { board: '#b4bcc4', front: '#E69F00', back: '#56B4E9' },
+    background: '#12151a',
+    ground: '#23282f',
+    gridFine: '#2d333b',
+    gridStrong: '#4a535e',
+    label: '#a3adb8',
+    sky: '#d5e2f2',
+    bounce: '#565b63',
+    key: '#fff1e0',
+    light: { hemisphere: 1.5, key: 2.6, fill: 1.0, environment: 0.5, shadow: 0.5, contact: 0.55 },
   },
 };

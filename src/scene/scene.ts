@@ -1,209 +1,238 @@
-import * as THREE from 'three';
-import { Bodies } from './bodies.ts';
-import { Camera, viewOffsets } from './camera.ts';
-import type { Cast, Frame, ViewName } from './contract.ts';
-import { environmentWorthIt, makeEnvironment } from './environment.ts';
+/** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
+import { Color, Fog, NeutralToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import { boardBodies, Bodies } from './bodies.ts';
+import { CameraRig } from './camera.ts';
+import type { Frame, Quality, SceneOptions, SceneView, ViewName } from './contract.ts';
+import { openContext, whenIdle } from './device.ts';
 import { Forces } from './forces.ts';
 import { Ground } from './ground.ts';
+import { Labels } from './labels.ts';
 import { Lights } from './lights.ts';
-import { palettes, type Palette } from './palette.ts';
+import { palettes } from './palette.ts';
 import { Trails } from './trails.ts';
+import { headingOf, placeView, subjectOf, type Triple } from './views.ts';
 
-export class NoWebGlError extends Error {
-  override name = 'NoWebGlError';
-}
+export { NoWebGlError } from './device.ts';
 
-export interface SceneOptions {
-  theme: 'light' | 'dark';
-  onContextLost?(): void;
-  onContextRestored?(): void;
-}
+/** A picture that takes longer than this (ms) says that the device cannot afford the environment. */
+const SLOW_PICTURE = 60;
+const MAX_PIXEL_RATIO = 2;
 
-/** Body whose pose is the board's place and heading, and the one the close-up looks at. */
-const LEADER = 0;
-const CLOSE_UP = 3;
+/** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
+export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
+  const { gl, software } = openContext(canvas);
+  const quality: Quality = options.quality ?? 'auto';
+  const rich = quality === 'high' || (quality === 'auto' && !software);
 
-/**
- * The 3-D view: a pure function of the last frame it was given. It renders on demand, one picture per change,
- * and keeps no loop running.
- * @throws NoWebGlError from the constructor
- */
-export class SceneView {
-  private readonly renderer: THREE.WebGLRenderer;
-  private readonly scene = new THREE.Scene();
-  private readonly camera: Camera;
-  private readonly bodies = new Bodies();
-  private readonly ground = new Ground();
-  private readonly lights = new Lights();
-  private readonly trails = new Trails();
-  private readonly forces = new Forces();
-  private palette: Palette;
-  private frame: Frame | null = null;
-  private asked = 0;
-  private frames = 0;
-  private placed = false;
-  private readonly focus = new THREE.Vector3();
+  const renderer = new WebGLRenderer({ canvas, context: gl });
+  renderer.toneMapping = NeutralToneMapping; // keeps the colours that mean something
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
 
-  constructor(canvas: HTMLCanvasElement, options: SceneOptions) {
-    try {
-      this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
-    } catch (error) {
-      throw new NoWebGlError(`The 3-D view needs WebGL 2, which this browser does not offer${error instanceof Error && error.message ? ` (${error.message})` : ''}. Everything else works: runs, files and numbers.`);
+  let palette = palettes[options.theme];
+  const scene = new Scene();
+  const background = new Color(palette.background);
+  const fog = new Fog(background, 5, 20);
+  scene.background = background;
+  scene.fog = fog;
+  const lights = new Lights(scene, palette, rich ? 2048 : 1024);
+  const ground = new Ground(scene, palette);
+  const labels = new Labels(scene, palette);
+  const bodies = new Bodies(scene, palette);
+  const trails = new Trails(scene, palette);
+  const forces = new Forces(scene, palette);
+  const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
+
+  let width = 1;
+  let height = 1;
+  let frames = 0;
+  let requested = 0;
+  let lost = false;
+  let disposed = false;
+  let announced = false;
+  let roomPending = 0;
+  /** The last frame's parts that outlive it. */
+  let time = 0;
+  let shown = false;
+  let heading = 0;
+  const board = new Vector3();
+  const subject = new Vector3();
+  let arrows: Frame['forces'] = [];
+  let view: ViewName = 'orbit';
+  let follow = true;
+  let switches = { trails: true, forces: false };
+
+  function requestRender(): void {
+    if (requested === 0 && !disposed && !lost) requested = requestAnimationFrame(render);
+  }
+
+  function render(now: number): void {
+    requested = 0;
+    rig.update(now);
+    const { target, distance } = rig;
+    ground.followView(target, distance, rig.camera.position.z);
+    labels.follow(target, distance);
+    fog.near = 1.6 * distance + 1;
+    fog.far = 4.4 * distance + 2.5;
+    const measured = quality === 'auto' && rich && frames === 1;
+    const began = measured ? performance.now() : 0;
+    renderer.render(scene, rig.camera);
+    frames++;
+    if (!announced && shown && bodies.count > 0) {
+      announced = true;
+      options.onFirstFrame?.();
+      requestRender(); // the second picture has no shaders to compile: it tells how fast the device is
     }
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = THREE.PCFShadowMap;
-    this.renderer.toneMapping = THREE.NeutralToneMapping;
-    this.camera = new Camera(canvas, () => this.requestRender());
-    this.scene.add(this.ground.group, this.trails.group, this.bodies.group, this.lights.group, this.forces.group);
-    this.palette = palettes[options.theme];
-    this.setTheme(options.theme);
-    canvas.addEventListener('webglcontextlost', (event) => {
-      // Without this the browser never gives the context back.
-      event.preventDefault();
-      options.onContextLost?.();
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      options.onContextRestored?.();
-      this.requestRender();
-    });
-  }
-
-  /** Bodies and their meshes. @throws Error for a bad mesh, with the previous ones left in place */
-  setCast(cast: Cast): void {
-    this.bodies.set(cast.parts, cast.models, cast.hubs, this.palette);
-    if (this.frame) this.bodies.pose(this.frame.poses);
-    this.requestRender();
-  }
-
-  setFrame(frame: Frame): void {
-    this.frame = frame;
-    this.bodies.pose(frame.poses);
-    this.bodies.spin(frame.wheelAngles);
-    this.forces.show(frame.forces, this.palette);
-    this.trails.show(frame.trails, frame.time);
-    const [x, y, z] = [frame.poses[0]!, frame.poses[1]!, frame.poses[2]!];
-    this.ground.follow(x, y);
-    this.lights.follow(x, y, z);
-    if (!this.placed) {
-      this.placed = true;
-      this.setView(this.camera.view);
-    } else {
-      this.camera.track(this.pointOfInterest());
+    if (rich && roomPending === 0 && !lights.hasRoom && announced && frames > 1) {
+      if (measured) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
+      if (!measured || performance.now() - began < SLOW_PICTURE) roomPending = whenIdle(makeRoom);
+      else roomPending = -1;
     }
-    this.requestRender();
   }
 
-  setView(view: ViewName): void {
-    this.camera.view = view;
-    if (!this.frame) return;
-    const { poses } = this.frame;
-    // Heading: the leader's x axis on the ground.
-    this.camera.setView(view, this.pointOfInterest(), Math.atan2(poses[12 * LEADER + 6]!, poses[12 * LEADER + 3]!));
-    this.requestRender();
+  function makeRoom(): void {
+    if (disposed || lost) return;
+    lights.makeRoom(renderer);
+    bodies.setLook(palette, true);
+    requestRender();
   }
 
-  /** A new motion: the next frame places the camera afresh. */
-  restart(): void {
-    this.placed = false;
+  function setFrame(frame: Frame | null): void {
+    const first = frame !== null && !shown;
+    shown = frame !== null && frame.poses.length >= 12;
+    bodies.place(shown ? frame!.poses : null, frame?.wheelAngles ?? new Float64Array(0));
+    arrows = frame?.forces.map((f) => ({ ...f, origin: [...f.origin] as const, vector: [...f.vector] as const })) ?? [];
+    time = frame?.time ?? Number.NEGATIVE_INFINITY;
+    if (shown) followBoard(frame!.poses, first);
+    else ground.clearBoard();
+    forces.set(arrows, switches.forces);
+    trails.show(time, switches.trails);
+    requestRender();
   }
 
-  setFollow(follow: boolean): void {
-    this.camera.follow = follow;
+  function followBoard(poses: Float64Array, first: boolean): void {
+    const point = (i: number): Triple | null => (poses.length < 12 * (i + 1) ? null : [poses[12 * i]!, poses[12 * i + 1]!, poses[12 * i + 2]!]);
+    const [position, front, back] = [point(0)!, point(3), point(4)];
+    if (!position.every(Number.isFinite)) return;
+    board.set(...position);
+    heading = headingOf(poses);
+    const lowest = front && back ? Math.min(front[2], back[2]) : position[2];
+    ground.followBoard(position, heading, Math.abs(lowest), front, back);
+    lights.follow(...position);
+    const next = new Vector3(...point(subjectOf(view, poses.length / 12))!);
+    const moved = next.clone().sub(subject);
+    subject.copy(next);
+    if (first) go(true);
+    else if (follow) rig.shift(moved);
   }
 
-  setSwitches(switches: { trails: boolean; forces: boolean }): void {
-    this.trails.group.visible = switches.trails;
-    this.forces.group.visible = switches.forces;
-    this.requestRender();
+  function go(instantly: boolean): void {
+    const { camera, target } = placeView(view, subject.toArray() as unknown as Triple, heading, width / height);
+    rig.go(camera, target, instantly);
   }
 
-  setTheme(theme: 'light' | 'dark'): void {
-    const palette = (this.palette = palettes[theme]);
-    this.scene.background = new THREE.Color(palette.background);
-    this.renderer.toneMappingExposure = palette.exposure;
-    this.ground.setPalette(palette);
-    this.lights.setPalette(palette);
-    this.trails.setPalette(palette);
-    this.bodies.recolour(palette);
-    if (this.frame) {
-      this.ground.follow(this.frame.poses[0]!, this.frame.poses[1]!);
-      this.forces.show(this.frame.forces, palette);
-    }
-    this.requestRender();
+  function look(): void {
+    background.set(palette.background);
+    fog.color.set(palette.background);
+    lights.setPalette(palette);
+    for (const part of [ground, labels, trails, forces]) part.setPalette(palette);
+    bodies.setLook(palette, lights.hasRoom);
+    requestRender();
   }
 
-  resize(width: number, height: number, pixelRatio: number): void {
-    if (width < 1 || height < 1) return;
-    this.renderer.setPixelRatio(Math.min(pixelRatio, 2));
-    this.renderer.setSize(width, height, false);
-    this.camera.resize(width, height);
-    // Setting the size clears the canvas: draw at once, or it flashes.
-    this.draw();
+  function contextLost(event: Event): void {
+    event.preventDefault(); // without it the browser never gives the context back
+    lost = true;
+    cancelAnimationFrame(requested);
+    requested = 0;
+    options.onContextLost?.();
   }
 
-  /** Adds reflections where they cost little; call when idle. */
-  improve(): void {
-    if (this.scene.environment || !environmentWorthIt(this.renderer)) return;
-    this.scene.environment = makeEnvironment(this.renderer);
-    this.scene.environmentIntensity = 0.5;
-    this.lights.setEnvironment(true);
-    this.requestRender();
+  function contextRestored(): void {
+    lost = false;
+    const hadRoom = lights.hasRoom;
+    lights.dropRoom(); // its picture was on the card
+    bodies.setLook(palette, false);
+    if (hadRoom) roomPending = 0;
+    requestRender();
+    options.onContextRestored?.();
   }
 
-  requestRender(): void {
-    if (this.asked === 0) this.asked = requestAnimationFrame(() => this.draw());
-  }
+  canvas.addEventListener('webglcontextlost', contextLost);
+  canvas.addEventListener('webglcontextrestored', contextRestored);
 
-  stats(): { frames: number; triangles: number; calls: number; bodies: number } {
-    const { triangles, calls } = this.renderer.info.render;
-    return { frames: this.frames, triangles, calls, bodies: this.bodies.count };
-  }
-
-  /** Body to world, by columns (three's order), or null. */
-  bodyMatrix(index: number): number[] | null {
-    return this.bodies.matrixOf(index)?.toArray() ?? null;
-  }
-
-  setBodyVisible(index: number, visible: boolean): void {
-    this.bodies.setVisible(index, visible);
-    this.requestRender();
-  }
-
-  /** A body's box on the screen, CSS pixels from the canvas' corner, or null. */
-  screenBox(index: number): { left: number; top: number; right: number; bottom: number } | null {
-    const box = this.bodies.boxOf(index);
-    if (!box) return null;
-    const size = this.renderer.getSize(new THREE.Vector2());
-    const corner = new THREE.Vector3();
-    const result = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
-    for (let i = 0; i < 8; i++) {
-      corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).project(this.camera.camera);
-      const [x, y] = [((corner.x + 1) / 2) * size.x, ((1 - corner.y) / 2) * size.y];
-      result.left = Math.min(result.left, x);
-      result.right = Math.max(result.right, x);
-      result.top = Math.min(result.top, y);
-      result.bottom = Math.max(result.bottom, y);
-    }
-    return result;
-  }
-
-  dispose(): void {
-    cancelAnimationFrame(this.asked);
-    this.camera.controls.dispose();
-    this.renderer.dispose();
-  }
-
-  private pointOfInterest(): THREE.Vector3 {
-    const closeUp = viewOffsets[this.camera.view].at === 'front-caster' && this.bodies.count > CLOSE_UP;
-    const o = 12 * (closeUp ? CLOSE_UP : LEADER);
-    const { poses } = this.frame!;
-    return this.focus.set(poses[o]!, poses[o + 1]!, poses[o + 2]! + (closeUp ? 0.04 : 0));
-  }
-
-  private draw(): void {
-    cancelAnimationFrame(this.asked);
-    this.asked = 0;
-    this.frames++;
-    this.renderer.render(this.scene, this.camera.camera);
-  }
+  return {
+    setModels(models, geometry, list = boardBodies) {
+      bodies.setModels(models, geometry, list);
+      requestRender();
+    },
+    replaceBody(id, pair) {
+      bodies.replace(id, pair);
+      requestRender();
+    },
+    setFrame,
+    setTrails(list) {
+      trails.set(list);
+      trails.show(time, switches.trails);
+      requestRender();
+    },
+    setView(name) {
+      view = name;
+      const at = bodies.matrix(subjectOf(name, bodies.count));
+      if (at) subject.setFromMatrixPosition(at);
+      go(!shown);
+    },
+    setFollow(value) {
+      if (value && !follow && shown) go(false);
+      follow = value;
+    },
+    setSwitches(next) {
+      switches = { ...next };
+      forces.set(arrows, switches.forces);
+      trails.show(time, switches.trails);
+      requestRender();
+    },
+    setTheme(theme) {
+      palette = palettes[theme];
+      look();
+    },
+    setReducedMotion: (reduced) => rig.setReducedMotion(reduced),
+    resize(w, h, devicePixelRatio) {
+      width = Math.max(1, w);
+      height = Math.max(1, h);
+      const ratio = Math.min(Math.max(devicePixelRatio, 0.5), MAX_PIXEL_RATIO);
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+      rig.setAspect(width / height);
+      labels.resize(height, ratio);
+      requestRender();
+    },
+    setBodyVisible(index, visible) {
+      bodies.setVisible(index, visible);
+      requestRender();
+    },
+    requestRender,
+    stats: () => ({ frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count }),
+    bodyPosition(index) {
+      const matrix = bodies.matrix(index);
+      return matrix ? (new Vector3().setFromMatrixPosition(matrix).toArray() as [number, number, number]) : null;
+    },
+    bodyMatrix: (index) => bodies.matrix(index)?.toArray() ?? null,
+    screenBox(index) {
+      rig.camera.updateMatrixWorld();
+      const corners = bodies.corners(index).map((corner) => corner.project(rig.camera));
+      if (corners.length === 0 || corners.some(({ z }) => z > 1)) return null;
+      const xs = corners.map(({ x }) => ((x + 1) / 2) * width);
+      const ys = corners.map(({ y }) => ((1 - y) / 2) * height);
+      return { left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) };
+    },
+    dispose() {
+      disposed = true;
+      cancelAnimationFrame(requested);
+      canvas.removeEventListener('webglcontextlost', contextLost);
+      canvas.removeEventListener('webglcontextrestored', contextRestored);
+      for (const part of [rig, lights, ground, labels, bodies, trails, forces]) part.dispose();
+      renderer.dispose();
+    },
+  };
 }

@@ -1,106 +1,132 @@
-import * as THREE from 'three';
+/** Ground tracks of the skates: lines of constant width on the screen, drawn up to the current time. */
+import { type InstancedBufferGeometry, type Scene, DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute, Sphere } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Trail } from './contract.ts';
 import type { Palette } from './palette.ts';
+import { countUntil, TrackBuffer } from './trackBuffer.ts';
 
-/** Half the width of a track (m). */
-const HALF_WIDTH = 0.0035;
-const ABOVE_GROUND = 0.0012;
+/** CSS pixels. */
+const WIDTH = 2.5;
 
-/** Number of times that are not after `time` (times rise). */
-export function countUntil(times: Float64Array, count: number, time: number): number {
-  let low = 0;
-  let high = count;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (times[middle]! <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low;
+/** A line whose segment i runs from point i to point i + 1 of one shared buffer (the stock geometry stores each point twice). */
+function lineOver(points: Float32Array, material: LineMaterial): { line: LineSegments2; buffer: InstancedInterleavedBuffer } {
+  const geometry = new LineSegmentsGeometry();
+  const buffer = new InstancedInterleavedBuffer(points, 3, 1);
+  buffer.setUsage(DynamicDrawUsage);
+  geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
+  geometry.instanceCount = 0;
+  geometry.boundingSphere = new Sphere(undefined, Number.MAX_VALUE); // for sorting only; measuring it would read every point
+  const line = new LineSegments2(geometry, material);
+  line.frustumCulled = false; // its bounds would have to be measured again with every point
+  line.renderOrder = -7;
+  return { line, buffer };
 }
 
-/** One skate's track as a flat ribbon that only ever grows: new points are appended to the buffers. */
-class Ribbon {
-  readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, toneMapped: false, transparent: true, opacity: 0.85, depthWrite: false }));
-  private positions = new Float32Array(0);
-  private filled = 0;
-  private source: Trail | null = null;
+class Track {
+  private readonly scene: Scene;
+  private readonly data = new TrackBuffer();
+  private readonly material: LineMaterial;
+  private body: ReturnType<typeof lineOver>;
+  /** From the last kept point to where the skate is now. */
+  private readonly head: ReturnType<typeof lineOver>;
+  private trail: Trail | null = null;
 
-  constructor() {
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = -1;
+  constructor(scene: Scene) {
+    this.scene = scene;
+    this.material = new LineMaterial({ linewidth: WIDTH, transparent: true, depthWrite: false, fog: true, toneMapped: false });
+    this.body = lineOver(this.data.points, this.material);
+    this.head = lineOver(new Float32Array(6), this.material);
+    scene.add(this.body.line, this.head.line);
   }
 
-  show(trail: Trail, time: number): void {
-    if (this.source?.times !== trail.times && !this.continues(trail)) this.filled = 0;
-    this.source = trail;
-    this.extend(trail);
-    const shown = countUntil(trail.times, trail.count, time);
-    this.mesh.geometry.setDrawRange(0, Math.max(0, 6 * (shown - 1)));
+  setColour(colour: string): void {
+    this.material.color.set(colour);
   }
 
-  /** A grown copy of the same track begins with the same point. */
-  private continues(trail: Trail): boolean {
-    return this.filled > 0 && trail.count >= this.filled && this.source !== null && trail.times[0] === this.source.times[0] && trail.times[this.filled - 1] === this.source.times[this.filled - 1] && trail.points[0] === this.source.points[0];
-  }
-
-  private extend(trail: Trail): void {
-    if (trail.count <= this.filled) return;
-    if (6 * trail.count > this.positions.length) this.grow(trail.count);
-    const from = this.filled;
-    for (let i = from; i < trail.count; i++) this.point(trail, i);
-    this.filled = trail.count;
-    const attribute = this.mesh.geometry.getAttribute('position') as THREE.BufferAttribute;
-    attribute.addUpdateRange(6 * from, 6 * (this.filled - from));
-    attribute.needsUpdate = true;
-  }
-
-  /** Two vertices on either side of the track, across its direction there. */
-  private point(trail: Trail, i: number): void {
-    const { points } = trail;
-    const before = 3 * Math.max(0, i - 1);
-    const after = 3 * Math.min(trail.count - 1, i + 1);
-    const dx = points[after]! - points[before]!;
-    const dy = points[after + 1]! - points[before + 1]!;
-    const scale = HALF_WIDTH / (Math.hypot(dx, dy) || 1);
-    const [x, y, z] = [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]! + ABOVE_GROUND];
-    this.positions.set([x - dy * scale, y + dx * scale, z, x + dy * scale, y - dx * scale, z], 6 * i);
-  }
-
-  private grow(count: number): void {
-    const room = Math.max(2 * count, 2048);
-    const positions = new Float32Array(6 * room);
-    positions.set(this.positions.subarray(0, 6 * this.filled));
-    this.positions = positions;
-    const index = new Uint32Array(6 * (room - 1));
-    for (let i = 0; i < room - 1; i++) index.set([2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3], 6 * i);
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = new THREE.BufferGeometry();
-    this.mesh.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3).setUsage(THREE.DynamicDrawUsage));
-    this.mesh.geometry.setIndex(new THREE.BufferAttribute(index, 1));
-  }
-}
-
-/** Tracks of the skate points, drawn up to the present. */
-export class Trails {
-  readonly group = new THREE.Group();
-  private readonly ribbons = new Map<string, Ribbon>();
-  private palette: Palette | null = null;
-
-  show(trails: readonly Trail[], time: number): void {
-    for (const trail of trails) {
-      let ribbon = this.ribbons.get(trail.part);
-      if (!ribbon) {
-        ribbon = new Ribbon();
-        this.ribbons.set(trail.part, ribbon);
-        this.group.add(ribbon.mesh);
-        if (this.palette) ribbon.mesh.material.color.set(this.palette[trail.part]);
-      }
-      ribbon.show(trail, time);
+  set(trail: Trail): void {
+    this.trail = trail;
+    const change = this.data.take(trail);
+    if (!change) return;
+    if (change.grown) {
+      this.scene.remove(this.body.line);
+      this.body.line.geometry.dispose();
+      this.body = lineOver(this.data.points, this.material);
+      this.scene.add(this.body.line);
+    } else {
+      this.body.buffer.addUpdateRange(3 * change.from, 3 * (this.data.count - change.from));
+      this.body.buffer.needsUpdate = true;
     }
+  }
+
+  show(time: number, visible: boolean): void {
+    const { data, trail } = this;
+    const count = visible && trail ? countUntil(data.times, data.count, time) : 0;
+    draw(this.body.line, Math.max(0, count - 1));
+    draw(this.head.line, 0);
+    if (count === 0 || !trail) return;
+    const row = countUntil(trail.times, trail.count, time) - 1;
+    const next = Math.min(row + 1, trail.count - 1);
+    const span = trail.times[next]! - trail.times[row]!;
+    const share = span > 0 ? Math.min(1, (time - trail.times[row]!) / span) : 0;
+    const head = this.head.buffer.array as Float32Array;
+    head.set(data.points.subarray(3 * count - 3, 3 * count));
+    for (let i = 0; i < 3; i++) {
+      const a = trail.points[3 * row + i]!;
+      head[3 + i] = a + share * (trail.points[3 * next + i]! - a);
+    }
+    head[5] = head[5]! + 0.001;
+    if (!head.every(Number.isFinite)) return;
+    this.head.buffer.needsUpdate = true;
+    draw(this.head.line, 1);
+  }
+
+  dispose(): void {
+    this.scene.remove(this.body.line, this.head.line);
+    this.body.line.geometry.dispose();
+    this.head.line.geometry.dispose();
+    this.material.dispose();
+  }
+}
+
+function draw(line: LineSegments2, segments: number): void {
+  (line.geometry as InstancedBufferGeometry).instanceCount = segments;
+  line.visible = segments > 0;
+}
+
+export class Trails {
+  private readonly tracks: Track[] = [];
+  private parts: readonly Trail['part'][] = [];
+  private readonly scene: Scene;
+  private palette: Palette;
+
+  constructor(scene: Scene, palette: Palette) {
+    this.scene = scene;
+    this.palette = palette;
+  }
+
+  set(trails: readonly Trail[]): void {
+    while (this.tracks.length < trails.length) this.tracks.push(new Track(this.scene));
+    while (this.tracks.length > trails.length) this.tracks.pop()!.dispose();
+    this.parts = trails.map(({ part }) => part);
+    trails.forEach((trail, i) => this.tracks[i]!.set(trail));
+    this.setPalette(this.palette);
   }
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    for (const [part, ribbon] of this.ribbons) ribbon.mesh.material.color.set(palette[part as 'front' | 'back']);
+    this.tracks.forEach((track, i) => track.setColour(palette.part[this.parts[i]!]));
+  }
+
+  /** Draws up to `time` (s), or nothing. */
+  show(time: number, visible: boolean): void {
+    for (const track of this.tracks) track.show(time, visible);
+  }
+
+  dispose(): void {
+    for (const track of this.tracks) track.dispose();
+    this.tracks.length = 0;
   }
 }

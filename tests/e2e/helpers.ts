@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { expect, test, type Download, type Page } from '@playwright/test';
 import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
-import type { SceneView } from '../../src/scene/scene.ts';
+import type { SceneView } from '../../src/scene/contract.ts';
 import type { FromWorker, ToWorker } from '../../src/worker/protocol.ts';
 
 /** Small: software WebGL pays for every pixel. */

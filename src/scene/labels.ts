@@ -1,0 +1,125 @@
+/** Metre labels on the ground's strong lines: along x and along y through the crossing nearest to what is looked at. */
+import { type Scene, type Vector3, CanvasTexture, LinearFilter, Sprite, SpriteMaterial, SRGBColorSpace, Vector2 } from 'three';
+import type { Palette } from './palette.ts';
+import { FIELD_OF_VIEW } from './views.ts';
+
+/** Labels to either side of the crossing. */
+const SIDE = 4;
+/** Height of a label (CSS pixels); the text is a little smaller. */
+const HEIGHT = 18;
+const ASPECT = 4;
+const MINUS = '\u2212';
+const THIN_SPACE = '\u2009';
+/** Textures kept when they go out of sight. */
+const KEPT = 64;
+
+/** `x −3 m` with a true minus sign and a thin space before the unit. */
+export function metreLabel(axis: 'x' | 'y', metres: number): string {
+  return `${axis} ${metres < 0 ? MINUS : ''}${Math.abs(metres)}${THIN_SPACE}m`;
+}
+
+/** Metres between labels at a distance (m), in steps of 1, 2, 5, 10. */
+export function labelStep(distance: number): number {
+  return [1, 2, 5].find((step) => distance < 7 * step) ?? 10;
+}
+
+export class Labels {
+  private readonly sprites: Sprite[] = [];
+  private readonly textures = new Map<string, CanvasTexture>();
+  private readonly scene: Scene;
+  private colour: string;
+  private shown = '';
+  private ratio = 1;
+
+  constructor(scene: Scene, palette: Palette) {
+    this.scene = scene;
+    this.colour = palette.label;
+    for (let i = 0; i < 2 * (2 * SIDE + 1); i++) {
+      const sprite = new Sprite(new SpriteMaterial({ sizeAttenuation: false, depthWrite: false, transparent: true, toneMapped: false }));
+      sprite.renderOrder = -8;
+      sprite.center = new Vector2(0, 1.05);
+      this.sprites.push(sprite);
+    }
+    scene.add(...this.sprites);
+  }
+
+  setPalette(palette: Palette): void {
+    if (palette.label === this.colour) return;
+    this.colour = palette.label;
+    this.forget();
+  }
+
+  /** Viewport height in CSS pixels: labels keep their size on the screen. */
+  resize(height: number, devicePixelRatio: number): void {
+    const scale = (2 * Math.tan(FIELD_OF_VIEW / 2) * HEIGHT) / Math.max(height, 1);
+    for (const sprite of this.sprites) sprite.scale.set(ASPECT * scale, scale, 1);
+    if (this.ratio === devicePixelRatio) return;
+    this.ratio = devicePixelRatio;
+    this.forget();
+  }
+
+  /** Rewrites the labels when the nearest crossing or the step changed: rarely. */
+  follow(target: Vector3, distance: number): void {
+    const step = labelStep(distance);
+    const x = step * Math.round(target.x / step);
+    const y = step * Math.round(target.y / step);
+    const state = `${x} ${y} ${step}`;
+    if (state === this.shown) return;
+    this.shown = state;
+    if (this.textures.size > KEPT) this.forgetTextures();
+    let next = 0;
+    for (let k = -SIDE; k <= SIDE; k++) {
+      this.write(this.sprites[next++]!, metreLabel('x', x + k * step), x + k * step, y, Math.abs(k));
+      // The crossing itself carries x; y starts beside it.
+      const beside = this.sprites[next++]!;
+      beside.visible = k !== 0;
+      if (k !== 0) this.write(beside, metreLabel('y', y + k * step), x, y + k * step, Math.abs(k));
+    }
+  }
+
+  dispose(): void {
+    this.scene.remove(...this.sprites);
+    for (const sprite of this.sprites) sprite.material.dispose();
+    this.forgetTextures();
+  }
+
+  private write(sprite: Sprite, text: string, x: number, y: number, away: number): void {
+    sprite.position.set(x, y, 0);
+    sprite.material.map = this.textureOf(text);
+    sprite.material.opacity = 1 - (0.75 * away) / SIDE;
+    sprite.material.needsUpdate = true;
+  }
+
+  private textureOf(text: string): CanvasTexture {
+    const known = this.textures.get(text);
+    if (known) return known;
+    const canvas = document.createElement('canvas');
+    const scale = 2 * Math.max(1, this.ratio);
+    canvas.width = HEIGHT * ASPECT * scale;
+    canvas.height = HEIGHT * scale;
+    const context = canvas.getContext('2d');
+    if (context) {
+      context.scale(scale, scale);
+      context.font = '500 12px system-ui, sans-serif';
+      context.textBaseline = 'middle';
+      context.fillStyle = this.colour;
+      context.fillText(text, 5, HEIGHT / 2);
+    }
+    const texture = new CanvasTexture(canvas);
+    texture.colorSpace = SRGBColorSpace;
+    texture.minFilter = LinearFilter;
+    texture.generateMipmaps = false;
+    this.textures.set(text, texture);
+    return texture;
+  }
+
+  private forget(): void {
+    this.forgetTextures();
+    this.shown = '';
+  }
+
+  private forgetTextures(): void {
+    for (const texture of this.textures.values()) texture.dispose();
+    this.textures.clear();
+  }
+}

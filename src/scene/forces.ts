@@ -10,7 +10,7 @@ export const LONGEST = 0.6;
 /** Forces below this (N) are not drawn. */
 const LEAST = 0.05;
 const MOST = 8;
-const RADIUS = { lateral: 0.0035, vertical: 0.0075 } as const;
+const RADIUS = { lateral: 0.0025, vertical: 0.005 } as const;
 
 /** Length (m) of the arrow for a force (N): proportional, then clamped. */
 export function arrowLength(newtons: number): number {

@@ -11,7 +11,11 @@ export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | '
 const DEPENDENT = 1e-13;
 
 /** Generalized forces from outside: added onto `force` (n) at time t and state q, v. */
-export type Forcing = (t: number, q: Float64Array, v: Float64Array, force: Float64Array) => void;
+export interface Forcing {
+  (t: number, q: Float64Array, v: Float64Array, force: Float64Array): void;
+  /** Adds their exact derivatives onto `forceQ` and `forceV` (n x n each). Without it there is no exact Jacobian. */
+  jacobians?(t: number, q: Float64Array, v: Float64Array, forceQ: Float64Array, forceV: Float64Array): void;
+}
 
 /**
  * A system with its parameters, constraint set, held coordinates and outside forces bound:
@@ -38,12 +42,19 @@ export class ConstrainedSystem {
   readonly contactCount: number;
   failure: DynamicsFailure | null = null;
 
-  private readonly forcing: Forcing | null;
+  readonly forcing: Forcing | null;
+
   private readonly Y: Float64Array;
   private readonly S: Float64Array;
   private readonly row: Float64Array;
   private readonly scaled: Float64Array;
+  private readonly scaledUnit: Float64Array;
   private readonly gammaFree: Float64Array;
+  /** The state whose factors are at hand, or were found not to exist; see `prepare`. */
+  private readonly preparedQ: Float64Array;
+  private readonly preparedV: Float64Array;
+  private preparedT = NaN;
+  private prepared: 'no' | 'factored' | 'failed' = 'no';
 
   /**
    * @param parameters values in the order of the meta
@@ -69,11 +80,20 @@ export class ConstrainedSystem {
     this.S = new Float64Array(m * m);
     this.row = new Float64Array(n);
     this.scaled = new Float64Array(m * m);
+    this.scaledUnit = new Float64Array(m * m);
     this.gammaFree = new Float64Array(m);
+    this.preparedQ = new Float64Array(n);
+    this.preparedV = new Float64Array(n);
+  }
+
+  /** Whether the acceleration has exact derivatives here. */
+  get differentiable(): boolean {
+    return this.forcing === null || this.forcing.jacobians !== undefined;
   }
 
   /** Evaluates M, force, Omega and gamma at a state. */
   evaluate(t: number, q: Float64Array, v: Float64Array): void {
+    this.prepared = 'no';
     this.system.mechanics(q, v, this.parameters, this.massMatrix, this.force);
     this.forcing?.(t, q, v, this.force);
     this.constraints?.evaluate(q, v, this.parameters, this.omega, this.gamma);
@@ -115,7 +135,7 @@ export class ConstrainedSystem {
   independence(): number {
     const { m, scaled } = this;
     if (m === 0) return Infinity;
-    const S = scaled.slice();
+    const S = this.scaledUnit;
     for (let r = 0; r < m; r++) {
       for (let s = 0; s < m; s++) S[r * m + s] = scaled[r * m + s]! / Math.sqrt(scaled[r * m + r]! * scaled[s * m + s]!);
     }
@@ -127,27 +147,59 @@ export class ConstrainedSystem {
 
   /** After `factor`: a (n) and lambda (m) of the constrained motion. False sets `failure`. */
   solve(a: Float64Array, lambda: Float64Array): boolean {
-    const { n, m, Y, massMatrix } = this;
-    for (let i = 0; i < n; i++) a[i] = this.force[i]!;
-    solveLower(massMatrix, n, a);
-    for (let r = 0; r < m; r++) {
-      let sum = -this.gamma[r]!;
-      for (let k = 0; k < n; k++) sum -= Y[r * n + k]! * a[k]!;
-      lambda[r] = sum;
-    }
-    this.solveS(lambda);
-    for (let r = 0; r < m; r++) {
-      const l = lambda[r]!;
-      for (let k = 0; k < n; k++) a[k]! += Y[r * n + k]! * l;
-    }
-    solveLowerTransposed(massMatrix, n, a);
+    for (let i = 0; i < this.n; i++) a[i] = this.force[i]!;
+    for (let r = 0; r < this.m; r++) lambda[r] = -this.gamma[r]!;
+    this.solveSaddle(a, lambda);
     return maxAbs(a) < Infinity ? true : this.fail('non-finite');
+  }
+
+  /**
+   * Evaluates and factors at a state, unless that is what was done last: a step's end is looked at by the projection,
+   * by an event and by the next step's first stage, one after another.
+   */
+  prepare(t: number, q: Float64Array, v: Float64Array): boolean {
+    if (this.isPrepared(t, q, v)) return this.prepared === 'factored';
+    this.evaluate(t, q, v);
+    const done = this.factor();
+    this.prepared = done ? 'factored' : 'failed';
+    this.preparedT = t;
+    for (let i = 0; i < this.n; i++) {
+      this.preparedQ[i] = q[i]!;
+      this.preparedV[i] = v[i]!;
+    }
+    return done;
+  }
+
+  private isPrepared(t: number, q: Float64Array, v: Float64Array): boolean {
+    if (this.prepared === 'no' || t !== this.preparedT) return false;
+    const { n, preparedQ, preparedV } = this;
+    for (let i = 0; i < n; i++) if (q[i] !== preparedQ[i] || v[i] !== preparedV[i]) return false;
+    return true;
   }
 
   /** Evaluate, factor and solve at one state. */
   acceleration(t: number, q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array): boolean {
-    this.evaluate(t, q, v);
-    return this.factor() && this.solve(a, lambda);
+    return this.prepare(t, q, v) && this.solve(a, lambda);
+  }
+
+  /**
+   * After `factor`: solves `M x - Omega^T y = f`, `Omega x = g` for x in place of f (n) and y in place of g (m).
+   * `solve` is the same with f the force and g = -gamma.
+   */
+  solveSaddle(f: Float64Array, g: Float64Array): void {
+    const { n, m, Y, massMatrix } = this;
+    solveLower(massMatrix, n, f);
+    for (let r = 0; r < m; r++) {
+      let sum = g[r]!;
+      for (let k = 0; k < n; k++) sum -= Y[r * n + k]! * f[k]!;
+      g[r] = sum;
+    }
+    this.solveS(g);
+    for (let r = 0; r < m; r++) {
+      const l = g[r]!;
+      for (let k = 0; k < n; k++) f[k]! += Y[r * n + k]! * l;
+    }
+    solveLowerTransposed(massMatrix, n, f);
   }
 
   /** Solves S x = b in place of b (m), after `factor`. */

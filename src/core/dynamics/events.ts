@@ -32,8 +32,7 @@ export function eventsOf(system: System, dynamics: ConstrainedSystem, actions: R
       id: 'constraint-singular',
       looks: 1,
       value: (t, q, v) => {
-        dynamics.evaluate(t, q, v);
-        dynamics.factor();
+        dynamics.prepare(t, q, v);
         return dynamics.independence() - SINGULAR_BELOW;
       },
       message: (t) => `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s (a skate lies flat)`,

@@ -26,8 +26,7 @@ export class Projection {
   project(t: number, q: Float64Array, v: Float64Array): boolean {
     const d = this.dynamics;
     if (d.m === 0) return true;
-    d.evaluate(t, q, v);
-    if (!d.factor()) return false;
+    if (!d.prepare(t, q, v)) return false;
     this.positions(q);
     d.refreshOmega(q, v);
     this.velocities(v);

@@ -20,6 +20,3 @@ export const methods = [
 ] as const satisfies readonly MethodInfo[];
 
 export type MethodId = (typeof methods)[number]['id'];
-
-/** Ways to get accelerations, by permanent id. */
-export const formulations: readonly { id: string; label: string }[] = [{ id: 'multipliers', label: 'Lagrange multipliers' }];

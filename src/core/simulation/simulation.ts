@@ -2,9 +2,12 @@ import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
 import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../dynamics/events.ts';
 import { actuationOf, type Actuation } from '../dynamics/forcing.ts';
+import type { Formulation } from '../dynamics/formulations/contract.ts';
+import { formulations } from '../dynamics/formulations/formulations.ts';
+import { createFormulation } from '../dynamics/formulations/registry.ts';
 import { Projection } from '../dynamics/projection.ts';
-import type { OdeProblem, Stepper } from '../integrators/contract.ts';
-import { formulations, methods, type MethodInfo } from '../integrators/methods.ts';
+import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
+import { methods, type MethodInfo } from '../integrators/methods.ts';
 import { createStepper } from '../integrators/registry.ts';
 import { ScenarioError, type Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
@@ -56,7 +59,13 @@ export class Simulation {
   private readonly n: number;
   private readonly actuation: Actuation;
   private readonly projection: Projection;
+  private readonly formulation: Formulation;
   private readonly stepper: Stepper;
+  /** Work before the stepper was last restarted. */
+  private readonly earlier = zeroCounters();
+  /** For rows, so that a look between steps leaves the factors of the step's end alone. */
+  private readonly rowDynamics: ConstrainedSystem;
+  private readonly rowProjection: Projection;
   private readonly events: EventFunction[];
   private readonly eventValues: Float64Array;
   private chunk: Float64Array[];
@@ -64,7 +73,12 @@ export class Simulation {
   private readonly lambda: Float64Array;
   private readonly u: Float64Array;
   private readonly energies = new Float64Array(2);
+  /** State at the end of the last step, and at a time within it. */
+  private readonly endQ: Float64Array;
+  private readonly endV: Float64Array;
   private readonly sample: Float64Array;
+  private readonly sampleQ: Float64Array;
+  private readonly sampleV: Float64Array;
   private readonly extras: ReadonlySet<string>;
   private emitted = 0;
   private startEnergy = 0;
@@ -87,16 +101,23 @@ export class Simulation {
     this.v = start.v;
     this.dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, this.actuation.forcing);
     this.projection = new Projection(this.dynamics);
+    this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, this.actuation.forcing);
+    this.rowProjection = new Projection(this.rowDynamics);
     this.a = new Float64Array(n);
     this.lambda = new Float64Array(this.dynamics.m);
     this.u = new Float64Array(this.actuation.names.length);
-    this.sample = new Float64Array(2 * n);
+    this.endQ = new Float64Array(n);
+    this.endV = new Float64Array(n);
+    this.sampleQ = new Float64Array(n);
+    this.sampleV = new Float64Array(n);
     this.extras = new Set(extras);
     this.columns = this.columnNames();
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
+    this.formulation = this.newFormulation();
     this.stepper = this.newStepper();
+    this.sample = new Float64Array(this.stepper.y.length);
     this.begin();
   }
 
@@ -105,8 +126,8 @@ export class Simulation {
   }
 
   get counts(): RunCounts {
-    const { steps, rejected, evaluations, jacobians, factorizations } = this.stepper.counters;
     const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
+    const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(this.earlier, this.stepper.counters);
     return { steps, rejected, evaluations, jacobians, factorizations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
   }
 
@@ -131,11 +152,13 @@ export class Simulation {
   }
 
   private begin(): void {
-    const { stepper, sample, n } = this;
-    sample.set(this.q);
-    sample.set(this.v, n);
+    const { stepper, formulation, sample, q, v } = this;
+    formulation.rebase(q, v);
+    formulation.fromState(q, v, sample);
     stepper.reset(0, sample);
-    this.emit(0, sample);
+    this.sampleQ.set(q);
+    this.sampleV.set(v);
+    this.emit(0);
     this.events.forEach((event, i) => {
       const value = event.value(0, this.q, this.v);
       this.eventValues[i] = value;
@@ -145,31 +168,49 @@ export class Simulation {
   }
 
   private oneStep(): void {
-    const { stepper, scenario, n } = this;
+    const { stepper, formulation, scenario, endQ: q, endV: v } = this;
     const failure = stepper.step(scenario.duration);
     if (failure) return this.stop(failure, failureMessage(failure, stepper.t));
-    const q = stepper.y.subarray(0, n);
-    const v = stepper.y.subarray(n);
+    formulation.toState(stepper.y, q, v);
     if (scenario.method.projection && this.dynamics.m > 0) {
       if (!this.projection.project(stepper.t, q, v)) {
         const reason = this.dynamics.failure ?? 'constraint-singular';
         return this.stop(reason, failureMessage(reason, stepper.previousT));
       }
+      formulation.fromState(q, v, stepper.y);
       stepper.stateChanged();
     }
-    const crossing = this.findCrossing(q, v);
+    const crossing = this.findCrossing();
     if (crossing) {
       this.emitBefore(crossing.time);
-      stepper.interpolate(crossing.time, this.sample);
-      this.emit(crossing.time, this.sample);
+      this.lookAt(crossing.time);
+      this.emit(crossing.time);
       this.end = { reason: crossing.event.id, message: crossing.event.message(crossing.time), time: crossing.time };
       return;
     }
     this.emitBefore(stepper.t);
-    if (stepper.t < scenario.duration) return;
-    this.sample.set(stepper.y);
-    this.emit(stepper.t, this.sample);
-    this.stop('end', `ran to t = ${scenario.duration} s`);
+    if (stepper.t >= scenario.duration) {
+      this.sampleQ.set(q);
+      this.sampleV.set(v);
+      this.emit(stepper.t);
+      return this.stop('end', `ran to t = ${scenario.duration} s`);
+    }
+    // Last, because the dense output of the step is in the old meaning of y.
+    if (formulation.rebase(q, v)) this.restart();
+  }
+
+  /** The formulation changed the meaning of y: the stepper starts anew from the end of the last step. */
+  private restart(): void {
+    const { stepper, sample } = this;
+    Object.assign(this.earlier, addCounters(this.earlier, stepper.counters));
+    this.formulation.fromState(this.endQ, this.endV, sample);
+    stepper.reset(stepper.t, sample);
+  }
+
+  /** State at a time within the last step into `sampleQ`, `sampleV`. */
+  private lookAt(time: number): void {
+    this.stepper.interpolate(time, this.sample);
+    this.formulation.toState(this.sample, this.sampleQ, this.sampleV);
   }
 
   /** Emits the rows due before a time of the last step; the run's last row is emitted by its end. */
@@ -178,14 +219,14 @@ export class Simulation {
     // A row closer than this to the end of the run or to an event would only repeat it.
     const last = time - 1e-9 * outputStep;
     for (let next = this.emitted * outputStep; next < last; next = this.emitted * outputStep) {
-      this.stepper.interpolate(next, this.sample);
-      this.emit(next, this.sample);
+      this.lookAt(next);
+      this.emit(next);
     }
   }
 
-  /** The earliest downward crossing in the last step, whose end state (projected) is q, v. */
-  private findCrossing(q: Float64Array, v: Float64Array): { event: EventFunction; time: number } | null {
-    const { stepper, events, n } = this;
+  /** The earliest downward crossing in the last step, whose end state is `endQ`, `endV`. */
+  private findCrossing(): { event: EventFunction; time: number } | null {
+    const { stepper, events } = this;
     let first: { event: EventFunction; time: number } | null = null;
     for (let e = 0; e < events.length; e++) {
       const event = events[e]!;
@@ -194,8 +235,8 @@ export class Simulation {
       for (let look = 1; look <= event.looks; look++) {
         const final = look === event.looks;
         const high = final ? stepper.t : stepper.previousT + ((stepper.t - stepper.previousT) * look) / event.looks;
-        if (!final) stepper.interpolate(high, this.sample);
-        const value = final ? event.value(high, q, v) : event.value(high, this.sample.subarray(0, n), this.sample.subarray(n));
+        if (!final) this.lookAt(high);
+        const value = final ? event.value(high, this.endQ, this.endV) : event.value(high, this.sampleQ, this.sampleV);
         if (lowValue > 0 && !(value > 0)) {
           const time = this.bisect(event, low, high);
           if (!first || time < first.time) first = { event, time };
@@ -211,10 +252,9 @@ export class Simulation {
 
   /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */
   private bisect(event: EventFunction, low: number, high: number): number {
-    const q = this.sample.subarray(0, this.n);
-    const v = this.sample.subarray(this.n);
+    const { sampleQ: q, sampleV: v } = this;
     for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
-      this.stepper.interpolate(middle, this.sample);
+      this.lookAt(middle);
       if (this.scenario.method.projection) this.projection.project(middle, q, v);
       if (event.value(middle, q, v) > 0) low = middle;
       else high = middle;
@@ -222,17 +262,16 @@ export class Simulation {
     return high;
   }
 
-  /** One row: the state, projected if projection is on, and what is derived from it. */
-  private emit(time: number, state: Float64Array): void {
-    const { n, extras, chunk, dynamics } = this;
-    const q = state.subarray(0, n);
-    const v = state.subarray(n);
-    if (this.scenario.method.projection) this.projection.project(time, q, v);
-    if (this.rows >= chunk[0]!.length) this.grow();
+  /** One row: the state in `sampleQ`, `sampleV`, projected if projection is on, and what is derived from it. */
+  private emit(time: number): void {
+    const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
+    if (this.scenario.method.projection) this.rowProjection.project(time, q, v);
+    if (this.rows >= this.chunk[0]!.length) this.grow();
     const row = this.rows++;
     let c = 0;
     this.chunk[c++]![row] = time;
-    for (let i = 0; i < 2 * n; i++) this.chunk[c++]![row] = state[i]!;
+    for (let i = 0; i < n; i++) this.chunk[c++]![row] = q[i]!;
+    for (let i = 0; i < n; i++) this.chunk[c++]![row] = v[i]!;
     if (extras.has('lambda')) {
       if (!dynamics.acceleration(time, q, v, this.a, this.lambda)) this.lambda.fill(NaN);
       for (let r = 0; r < dynamics.m; r++) this.chunk[c++]![row] = this.lambda[r]!;
@@ -241,7 +280,7 @@ export class Simulation {
     this.energy = this.energies[0]! + this.energies[1]!;
     if (time === 0) this.startEnergy = this.energy;
     this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
-    const residual = this.projection.residual(q, v);
+    const residual = this.rowProjection.residual(q, v);
     this.largestResidual = Math.max(this.largestResidual, residual);
     if (extras.has('energy')) this.chunk[c++]![row] = this.energy;
     if (extras.has('residual')) this.chunk[c++]![row] = residual;
@@ -274,6 +313,14 @@ export class Simulation {
     });
   }
 
+  private newFormulation(): Formulation {
+    const id = this.scenario.method.formulation;
+    const formulation = createFormulation(id, this.dynamics);
+    if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
+    return formulation;
+  }
+
+  /** Every stepper on every formulation. (`ida`, on the residual as it is, would be made here, without one.) */
   private newStepper(): Stepper {
     const { method } = this.scenario;
     const info: MethodInfo | undefined = methods.find((m) => m.id === method.name);
@@ -281,25 +328,18 @@ export class Simulation {
     if (method.stages !== undefined && !info.stages?.includes(method.stages)) {
       throw new ScenarioError('method.stages', info.stages ? `${info.id} has ${info.stages.join(', ')} stages, not ${method.stages}` : `${info.id} has no choice of stages; leave it out`);
     }
-    if (!formulations.some((f) => f.id === method.formulation)) {
-      throw new ScenarioError('method.formulation', `"${method.formulation}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
-    }
-    const { n, dynamics, a, lambda } = this;
-    const problem: OdeProblem = {
-      dimension: 2 * n,
-      derivative(t, y, out) {
-        const v = y.subarray(n);
-        if (!dynamics.acceleration(t, y.subarray(0, n), v, a, lambda)) return false;
-        out.set(v);
-        out.set(a, n);
-        return true;
-      },
-      get failure() {
-        return dynamics.failure;
-      },
-    };
-    return createStepper(info.id, problem, method)!;
+    return createStepper(info.id, this.formulation, method)!;
   }
+}
+
+function addCounters(a: Counters, b: Counters): Counters {
+  return {
+    steps: a.steps + b.steps,
+    rejected: a.rejected + b.rejected,
+    evaluations: a.evaluations + b.evaluations,
+    jacobians: a.jacobians + b.jacobians,
+    factorizations: a.factorizations + b.factorizations,
+  };
 }
 
 function failureMessage(reason: string, t: number): string {

@@ -1,4 +1,5 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
+import { saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
 import type { ConstraintSet, System } from '../systems/types.ts';
 
 /** Why an acceleration could not be had. */
@@ -44,6 +45,8 @@ export class ConstrainedSystem {
 
   readonly forcing: Forcing | null;
 
+  private readonly kernels: SaddleKernels;
+  private readonly inverse: Float64Array;
   private readonly Y: Float64Array;
   private readonly S: Float64Array;
   private readonly row: Float64Array;
@@ -76,6 +79,8 @@ export class ConstrainedSystem {
     this.gamma = new Float64Array(m);
     this.contactCount = this.constraints?.contact?.count ?? 0;
     this.heights = new Float64Array(this.contactCount);
+    this.kernels = saddleKernels(n, m);
+    this.inverse = new Float64Array(n);
     this.Y = new Float64Array(m * n);
     this.S = new Float64Array(m * m);
     this.row = new Float64Array(n);
@@ -108,22 +113,11 @@ export class ConstrainedSystem {
 
   /** Factors M and S in place. False sets `failure`. */
   factor(): boolean {
-    const { n, m, massMatrix, omega, Y, S, row } = this;
-    if (cholesky(massMatrix, n) !== 0) return this.fail(maxAbs(massMatrix) < Infinity ? 'mass-matrix-singular' : 'non-finite');
-    for (let r = 0; r < m; r++) {
-      for (let k = 0; k < n; k++) row[k] = omega[r * n + k]!;
-      solveLower(massMatrix, n, row);
-      for (let k = 0; k < n; k++) Y[r * n + k] = row[k]!;
-    }
-    for (let r = 0; r < m; r++) {
-      for (let s = 0; s <= r; s++) {
-        let sum = 0;
-        for (let k = 0; k < n; k++) sum += Y[r * n + k]! * Y[s * n + k]!;
-        S[r * m + s] = S[s * m + r] = sum;
-      }
-    }
-    this.scaled.set(S);
-    if (cholesky(S, m, DEPENDENT) !== 0) return this.fail(maxAbs(this.scaled) < Infinity ? 'constraint-singular' : 'non-finite');
+    const { m, massMatrix, omega, Y, S, inverse, kernels, scaled } = this;
+    if (kernels.factor(massMatrix, inverse) !== 0) return this.fail(maxAbs(massMatrix) < Infinity ? 'mass-matrix-singular' : 'non-finite');
+    if (m > 0) kernels.rows(massMatrix, inverse, omega, Y, S);
+    for (let i = 0; i < m * m; i++) scaled[i] = S[i]!;
+    if (cholesky(S, m, DEPENDENT) !== 0) return this.fail(maxAbs(scaled) < Infinity ? 'constraint-singular' : 'non-finite');
     this.failure = null;
     return true;
   }
@@ -143,6 +137,20 @@ export class ConstrainedSystem {
     let smallest = Infinity;
     for (let r = 0; r < m; r++) smallest = Math.min(smallest, S[r * m + r]!);
     return smallest;
+  }
+
+  /**
+   * A lower bound of `independence` at hardly any cost, 0 where the factors don't exist. From det = product of the m
+   * eigenvalues, their sum m, and the means' inequality on the other m - 1: smallest >= det ((m - 1) / m)^(m - 1).
+   */
+  independenceBound(): number {
+    const { m, S, scaled } = this;
+    if (m === 0) return Infinity;
+    if (this.failure) return 0;
+    let bound = 1;
+    for (let r = 0; r < m; r++) bound *= (S[r * m + r]! * S[r * m + r]!) / scaled[r * m + r]!;
+    for (let r = 1; r < m; r++) bound *= (m - 1) / m;
+    return bound;
   }
 
   /** After `factor`: a (n) and lambda (m) of the constrained motion. False sets `failure`. */
@@ -187,8 +195,8 @@ export class ConstrainedSystem {
    * `solve` is the same with f the force and g = -gamma.
    */
   solveSaddle(f: Float64Array, g: Float64Array): void {
-    const { n, m, Y, massMatrix } = this;
-    solveLower(massMatrix, n, f);
+    const { n, m, Y, massMatrix, inverse, kernels } = this;
+    kernels.forward(massMatrix, inverse, f);
     for (let r = 0; r < m; r++) {
       let sum = g[r]!;
       for (let k = 0; k < n; k++) sum -= Y[r * n + k]! * f[k]!;
@@ -199,7 +207,7 @@ export class ConstrainedSystem {
       const l = g[r]!;
       for (let k = 0; k < n; k++) f[k]! += Y[r * n + k]! * l;
     }
-    solveLowerTransposed(massMatrix, n, f);
+    kernels.back(massMatrix, inverse, f);
   }
 
   /** Solves S x = b in place of b (m), after `factor`. */
@@ -213,7 +221,7 @@ export class ConstrainedSystem {
     const { n, m, Y, row } = this;
     row.fill(0);
     for (let r = 0; r < m; r++) for (let k = 0; k < n; k++) row[k]! += Y[r * n + k]! * w[r]!;
-    solveLowerTransposed(this.massMatrix, n, row);
+    this.kernels.back(this.massMatrix, this.inverse, row);
     for (let k = 0; k < n; k++) x[k]! += row[k]!;
   }
 

@@ -33,7 +33,9 @@ export function eventsOf(system: System, dynamics: ConstrainedSystem, actions: R
       looks: 1,
       value: (t, q, v) => {
         dynamics.prepare(t, q, v);
-        return dynamics.independence() - SINGULAR_BELOW;
+        // Only the sign counts; the eigenvalue itself is needed near zero alone.
+        const bound = dynamics.independenceBound();
+        return (bound > SINGULAR_BELOW ? bound : dynamics.independence()) - SINGULAR_BELOW;
       },
       message: (t) => `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s (a skate lies flat)`,
     });

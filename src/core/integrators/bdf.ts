@@ -1,5 +1,6 @@
+import type { BdfEquations } from './bdfEquations.ts';
 import { BdfStepper, type BdfTuning } from './bdfStepper.ts';
-import type { OdeProblem, StepperOptions } from './contract.ts';
+import { zeroCounters, type OdeProblem, type StepperOptions } from './contract.ts';
 import { Jacobian } from './newton.ts';
 import { firstStep } from './stepControl.ts';
 
@@ -13,42 +14,54 @@ import { firstStep } from './stepControl.ts';
 const KAPPA = [0, -0.185, -1 / 9, -0.0823, -0.0415, 0] as const;
 
 export class Bdf extends BdfStepper {
+  constructor(problem: OdeProblem, options: StepperOptions, tuning: BdfTuning = {}) {
+    super(new OdeEquations(problem, options), options, tuning);
+  }
+}
+
+class OdeEquations implements BdfEquations {
+  readonly dimension: number;
+  readonly differential = null;
+  readonly kappa = KAPPA;
+  readonly counters = zeroCounters();
+  matrixIsOld = false;
   private readonly problem: OdeProblem;
+  private readonly options: StepperOptions;
   private readonly jacobian: Jacobian;
   private readonly f0: Float64Array;
   private readonly scratch: readonly [Float64Array, Float64Array];
   private known = false;
-  protected matrixIsOld = false;
 
-  constructor(problem: OdeProblem, options: StepperOptions, tuning: BdfTuning = {}) {
-    super(problem.dimension, null, KAPPA, options, tuning);
+  constructor(problem: OdeProblem, options: StepperOptions) {
+    this.dimension = problem.dimension;
     this.problem = problem;
+    this.options = options;
     this.jacobian = new Jacobian(problem, this.counters);
     this.f0 = new Float64Array(problem.dimension);
     this.scratch = [new Float64Array(problem.dimension), new Float64Array(problem.dimension)];
   }
 
-  protected get problemFailure(): string | null {
+  get failure(): string | null {
     return this.problem.failure;
   }
 
-  protected begin(t: number, y: Float64Array, slope: Float64Array): boolean {
+  begin(t: number, y: Float64Array, slope: Float64Array): boolean {
     this.known = false;
     return this.f(t, y, slope);
   }
 
-  protected firstStep(t: number, y: Float64Array, slope: Float64Array): number {
+  firstStep(t: number, y: Float64Array, slope: Float64Array): number {
     const { rtol, atol } = this.options;
-    return firstStep((s, x, out) => this.f(s, x, out), t, y, slope, 1, rtol, atol, this.scratch as [Float64Array, Float64Array]);
+    return firstStep((s, x, out) => this.f(s, x, out), t, y, slope, 1, rtol, atol, this.scratch);
   }
 
-  protected residual(t: number, y: Float64Array, slope: Float64Array, out: Float64Array): boolean {
+  residual(t: number, y: Float64Array, slope: Float64Array, out: Float64Array): boolean {
     if (!this.f(t, y, out)) return false;
     for (let i = 0; i < y.length; i++) out[i] = slope[i]! - out[i]!;
     return true;
   }
 
-  protected matrix(t: number, y: Float64Array, _slope: Float64Array, cj: number, renew: boolean, out: Float64Array): boolean {
+  matrix(t: number, y: Float64Array, _slope: Float64Array, cj: number, renew: boolean, out: Float64Array): boolean {
     this.matrixIsOld = this.known && !renew;
     if (!this.matrixIsOld) {
       this.known = (this.problem.jacobian !== undefined || this.f(t, y, this.f0)) && this.jacobian.evaluate(t, y, this.f0);

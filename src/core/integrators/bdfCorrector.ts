@@ -1,0 +1,135 @@
+import { GAMMA, type BackwardDifferences } from './backwardDifferences.ts';
+import type { BdfEquations } from './bdfEquations.ts';
+import type { StepperOptions } from './contract.ts';
+import { allFinite } from './explicitFixed.ts';
+import { PATIENT_ITERATIONS, SimplifiedNewton, roundingFloor, tightScale, type NewtonOutcome } from './newton.ts';
+import { ScaledLu } from './scaledLu.ts';
+
+/**
+ * One step's equation: F(t, p + d, (sum gamma_j D[j] + alpha d) / h) = 0 for d, by simplified Newton iteration;
+ * p is the prediction, alpha = (1 - kappa) gamma_k. Shampine and Reichelt (1997), section 2.2 and 2.3; tolerance as in
+ * SciPy's BDF.
+ */
+
+/** More than four iterations cost more than a shorter step. */
+export const MOST_ITERATIONS = 4;
+
+export class BdfCorrector {
+  /** y - prediction. */
+  readonly d: Float64Array;
+  /** One unit is the tolerance of the component. */
+  readonly scale: Float64Array;
+  /** The derivatives in the matrix were taken since this was set to false. */
+  current = false;
+  private readonly equations: BdfEquations;
+  private readonly options: StepperOptions;
+  private readonly controlled: boolean;
+  private readonly newton: SimplifiedNewton;
+  private readonly tolerance: number;
+  private readonly floor: number;
+  private readonly lu: ScaledLu;
+  /** The matrix belongs to this cj; 0 if there is none. */
+  private factoredFor = 0;
+  private t = 0;
+  private cj = 0;
+  private readonly predicted: Float64Array;
+  private readonly predictedSlope: Float64Array;
+  private readonly y: Float64Array;
+  private readonly slope: Float64Array;
+  private readonly increment: Float64Array;
+
+  constructor(equations: BdfEquations, options: StepperOptions) {
+    const vector = (): Float64Array => new Float64Array(equations.dimension);
+    const { rtol } = options;
+    this.equations = equations;
+    this.options = options;
+    this.controlled = rtol < Infinity;
+    this.newton = new SimplifiedNewton(this.controlled ? MOST_ITERATIONS : PATIENT_ITERATIONS);
+    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / rtol, Math.min(0.03, Math.sqrt(rtol))) : 1;
+    this.floor = this.controlled ? Math.min(0.1, roundingFloor(rtol)) : roundingFloor();
+    this.lu = new ScaledLu(equations.dimension, equations.differential);
+    [this.d, this.scale, this.predicted, this.predictedSlope] = [vector(), vector(), vector(), vector()];
+    [this.y, this.slope, this.increment] = [vector(), vector(), vector()];
+  }
+
+  /** Iterations that the last solve took. */
+  get iterations(): number {
+    return Math.min(MOST_ITERATIONS, this.newton.iterations);
+  }
+
+  reset(): void {
+    this.factoredFor = 0;
+    this.newton.reset();
+  }
+
+  /** The next solve makes a new matrix with new derivatives. */
+  forgetMatrix(): void {
+    this.factoredFor = 0;
+  }
+
+  /** Finds `d` at time t, one spacing beyond the history's newest value. */
+  solve(t: number, history: BackwardDifferences): NewtonOutcome {
+    const { d, predicted, predictedSlope, y, slope, equations, lu } = this;
+    history.predict(predicted, predictedSlope);
+    d.fill(0);
+    y.set(predicted);
+    slope.set(predictedSlope);
+    this.t = t;
+    this.cj = ((1 - equations.kappa[history.order]!) * GAMMA[history.order]!) / history.spacing;
+    this.scaleBy(predicted, history.spacing);
+    if (this.factoredFor !== this.cj) {
+      const renew = this.factoredFor === 0;
+      this.factoredFor = 0;
+      const known = equations.matrix(t, y, slope, this.cj, renew, lu.matrix);
+      this.current ||= !equations.matrixIsOld;
+      if (!known || !allFinite(lu.matrix)) return 'no-value';
+      equations.counters.factorizations++;
+      if (!lu.factor(this.cj)) return 'slow';
+      this.factoredFor = this.cj;
+    }
+    return this.newton.solve(this.correct, this.tolerance, this.floor);
+  }
+
+  private readonly correct = (): number => {
+    const { d, y, slope, predicted, predictedSlope, increment, scale, cj } = this;
+    if (!this.equations.residual(this.t, y, slope, increment)) return NaN;
+    this.lu.solve(increment);
+    let sum = 0;
+    for (let i = 0; i < d.length; i++) {
+      d[i]! -= increment[i]!;
+      y[i] = predicted[i]! + d[i]!;
+      slope[i] = predictedSlope[i]! + cj * d[i]!;
+      sum += (increment[i]! / scale[i]!) ** 2;
+    }
+    return Math.sqrt(sum / d.length);
+  };
+
+  /**
+   * Sets `scale`. What has no derivative acts on the rest over a step only, by h times its error, and in a
+   * system of index 2 is known no better than to rounding / h: its tolerance is divided by h (L. Petzold,
+   * P. Lötstedt, SIAM J. Sci. Stat. Comput. 7 (1986), 720-733).
+   */
+  scaleBy(y: Float64Array, h: number): void {
+    const { scale } = this;
+    const { differential } = this.equations;
+    const { rtol, atol } = this.options;
+    if (!this.controlled) tightScale(y, scale);
+    else for (let i = 0; i < y.length; i++) scale[i] = atol + rtol * Math.abs(y[i]!);
+    if (differential) for (let i = 0; i < y.length; i++) if (!differential[i]) scale[i]! /= Math.min(1, h);
+  }
+
+  /** Root mean square of factor x / scale over the components that are tested; infinite when not a number. */
+  norm(x: Float64Array, factor: number): number {
+    const { scale } = this;
+    const { differential } = this.equations;
+    let sum = 0;
+    let count = 0;
+    for (let i = 0; i < x.length; i++) {
+      if (differential && !differential[i]) continue;
+      sum += ((factor * x[i]!) / scale[i]!) ** 2;
+      count++;
+    }
+    const norm = Math.sqrt(sum / Math.max(1, count));
+    return norm === norm ? norm : Infinity;
+  }
+}

@@ -1,0 +1,17 @@
+/** What `ida` integrates: F(t, y, y') = 0, where some components of y may have no derivative in F. */
+export interface DaeProblem {
+  readonly dimension: number;
+  /** 1 for components whose derivative stands in F, 0 for the algebraic ones. */
+  readonly differential: Uint8Array;
+  /** Why there was no value, when a function returned false. */
+  readonly failure: string | null;
+  /**
+   * Consistent start: given the differential components of y, completes y with the algebraic ones and gives yp
+   * (0 for the algebraic ones) so that F = 0.
+   */
+  start(t: number, y: Float64Array, yp: Float64Array): boolean;
+  /** F(t, y, yp) into `out`. */
+  residual(t: number, y: Float64Array, yp: Float64Array, out: Float64Array): boolean;
+  /** dF/dy + cj dF/dyp into `out`, row-major. */
+  jacobian(t: number, y: Float64Array, yp: Float64Array, cj: number, out: Float64Array): boolean;
+}

@@ -1,0 +1,73 @@
+import { back10, factor10, forward10, rows10x4 } from './saddle10x4.generated.ts';
+
+/**
+ * Kernels for the saddle-point system `[M -Omega^T; Omega 0]` by Cholesky factors of M and of its Schur complement
+ * (Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5; Golub and Van Loan, Matrix Computations, 4th ed.,
+ * sections 3.1 and 4.2). n coordinates, m rows, row-major, no allocation. The inverses of L's diagonal are kept,
+ * because a division costs as much as several products.
+ */
+export interface SaddleKernels {
+  /** M = L L^T: L over the lower triangle of `A`, 1 / L_ii into `inverse`. 0, or k + 1 where pivot k is not positive. */
+  factor(A: Float64Array, inverse: Float64Array): number;
+  /** Y = L^-1 Omega^T by rows of Omega (m x n), S = Y^T Y with both triangles (m x m). */
+  rows(L: Float64Array, inverse: Float64Array, omega: Float64Array, Y: Float64Array, S: Float64Array): void;
+  /** Solves L x = b in place of b. */
+  forward(L: Float64Array, inverse: Float64Array, b: Float64Array): void;
+  /** Solves L^T x = b in place of b. */
+  back(L: Float64Array, inverse: Float64Array, b: Float64Array): void;
+}
+
+/** The fastest there are: straight lines for the board's size, else loops. */
+export function saddleKernels(n: number, m: number): SaddleKernels {
+  const loops = loopKernels(n, m);
+  if (n !== 10) return loops;
+  return { factor: factor10, rows: m === 4 ? rows10x4 : loops.rows, forward: forward10, back: back10 };
+}
+
+export function loopKernels(n: number, m: number): SaddleKernels {
+  return {
+    factor(A, inverse) {
+      for (let i = 0; i < n; i++) {
+        for (let j = 0; j < i; j++) {
+          let sum = A[i * n + j]!;
+          for (let k = 0; k < j; k++) sum -= A[i * n + k]! * A[j * n + k]!;
+          A[i * n + j] = sum * inverse[j]!;
+        }
+        let pivot = A[i * n + i]!;
+        for (let k = 0; k < i; k++) pivot -= A[i * n + k]! * A[i * n + k]!;
+        if (!(pivot > 0)) return i + 1;
+        A[i * n + i] = Math.sqrt(pivot);
+        inverse[i] = 1 / A[i * n + i]!;
+      }
+      return 0;
+    },
+    rows(L, inverse, omega, Y, S) {
+      for (let r = 0; r < m; r++) {
+        for (let i = 0; i < n; i++) {
+          let sum = omega[r * n + i]!;
+          for (let k = 0; k < i; k++) sum -= L[i * n + k]! * Y[r * n + k]!;
+          Y[r * n + i] = sum * inverse[i]!;
+        }
+        for (let s = 0; s <= r; s++) {
+          let sum = 0;
+          for (let k = 0; k < n; k++) sum += Y[r * n + k]! * Y[s * n + k]!;
+          S[r * m + s] = S[s * m + r] = sum;
+        }
+      }
+    },
+    forward(L, inverse, b) {
+      for (let i = 0; i < n; i++) {
+        let sum = b[i]!;
+        for (let k = 0; k < i; k++) sum -= L[i * n + k]! * b[k]!;
+        b[i] = sum * inverse[i]!;
+      }
+    },
+    back(L, inverse, b) {
+      for (let i = n - 1; i >= 0; i--) {
+        let sum = b[i]!;
+        for (let k = i + 1; k < n; k++) sum -= L[k * n + i]! * b[k]!;
+        b[i] = sum * inverse[i]!;
+      }
+    },
+  };
+}

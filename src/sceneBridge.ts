@@ -55,6 +55,8 @@ function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
 function dress(app: App, view: SceneView): void {
   let wearing = '';
   let turn = 0;
+  /** The person's files that last fitted; a bad one gives way to them. */
+  let good = app.state.meshes.peek();
   effect(() => {
     const motion = app.state.motion.value;
     const own = app.state.meshes.value;
@@ -68,7 +70,9 @@ function dress(app: App, view: SceneView): void {
         if (now !== turn) return;
         try {
           view.setModels(pairs, geometryOf(motion), bodiesOf(motion));
+          good = own;
         } catch (error) {
+          app.state.meshes.value = good;
           app.actions.report('error', 'The mesh could not be shown', [(error as Error).message, 'The bodies on the stage are as before.']);
         }
       },

@@ -129,7 +129,7 @@ export class FileOpener {
 
   /** Pairs by base name; a lone half joins the half that is already in place. */
   private async openMeshes(files: readonly File[]): Promise<void> {
-    const { state, messages } = this.context;
+    const { state } = this.context;
     const next = new Map(state.meshes.peek());
     for (const file of files) {
       const [, base = '', ending = ''] = /^(.*)\.(mdl|mat)$/i.exec(file.name.toLowerCase()) ?? [];
@@ -138,7 +138,6 @@ export class FileOpener {
         continue;
       }
       next.set(base, { ...next.get(base), [ending === 'mdl' ? 'mdl' : 'mat']: await file.text() });
-      messages.add('info', `Opened ${file.name}`, [`It replaces the ${base.replace('-', ' ')}.`]);
     }
     state.meshes.value = next;
   }

@@ -3,7 +3,7 @@ import { weightsAt, type Tableau } from './collocationCoefficients.ts';
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { allFinite, fixedStep } from './explicitFixed.ts';
 import { Jacobian, PATIENT_ITERATIONS, REUSE_BELOW, SimplifiedNewton, roundingFloor, tightScale, type NewtonOutcome } from './newton.ts';
-import { PiController, errorNorm, firstStep } from './stepControl.ts';
+import { errorNorm, firstStep, PiController, stepWithin } from './stepControl.ts';
 
 /**
  * Collocation methods: Gauss with 1 to 4 stages (order 2 s) and Radau IIA with 2 or 3 (order 2 s - 1).
@@ -158,7 +158,7 @@ export class Collocation implements Stepper {
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {
-      const h = this.stepTo(limit);
+      const h = stepWithin(this.h, limit - this.t, this.options.maxStep ?? Infinity);
       const outcome = this.solve(h);
       if (outcome === 'converged') {
         const error = this.errorOf(h);
@@ -222,14 +222,6 @@ export class Collocation implements Stepper {
     if (outcome !== 'converged') return this.reason(outcome);
     this.accept(h, limit);
     return null;
-  }
-
-  /** The step to try: at most maxStep, stretched or halved so that no sliver is left before the limit. */
-  private stepTo(limit: number): number {
-    const left = limit - this.t;
-    const h = Math.min(this.h, this.options.maxStep ?? Infinity);
-    if (h >= left || 1.01 * h >= left) return left;
-    return 2 * h > left ? left / 2 : h;
   }
 
   /** `z` and `yNew` for a step h. */

@@ -1,7 +1,7 @@
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { A, B3, C, D, E5 } from './dop853Coefficients.ts';
 import { allFinite, hermite } from './explicitFixed.ts';
-import { PiController, firstStep } from './stepControl.ts';
+import { firstStep, PiController, stepWithin } from './stepControl.ts';
 
 /**
  * Dormand and Prince's explicit Runge-Kutta method of order 8 with error estimates of orders 5 and 3, and
@@ -95,7 +95,7 @@ export class Dop853 implements Stepper {
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {
-      const h = this.stepTo(limit);
+      const h = stepWithin(this.h, limit - this.t, this.options.maxStep ?? Infinity);
       // An evaluation that has no value counts as an error without bound: a shorter step may go around it.
       let error = this.stages(h) ? this.errorOf(h) : Infinity;
       // The slope at the new state is made last, for a step that is good otherwise.
@@ -132,14 +132,6 @@ export class Dop853 implements Stepper {
   private f(t: number, y: Float64Array, out: Float64Array): boolean {
     this.counters.evaluations++;
     return this.problem.derivative(t, y, out);
-  }
-
-  /** The step to try: at most maxStep, stretched or halved so that no sliver is left before the limit. */
-  private stepTo(limit: number): number {
-    const left = limit - this.t;
-    const h = Math.min(this.h, this.options.maxStep ?? Infinity);
-    if (h >= left || 1.01 * h >= left) return left;
-    return 2 * h > left ? left / 2 : h;
   }
 
   /** out = from + h (sum of the first s slopes k weighted by row s of A). */

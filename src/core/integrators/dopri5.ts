@@ -1,5 +1,5 @@
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
-import { PiController, errorNorm, firstStep } from './stepControl.ts';
+import { errorNorm, firstStep, PiController, stepWithin } from './stepControl.ts';
 
 /**
  * Dormand and Prince's explicit Runge-Kutta method of order 5(4), with continuous output of order 4.
@@ -84,7 +84,7 @@ export class Dopri5 implements Stepper {
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {
-      const h = this.stepTo(limit);
+      const h = stepWithin(this.h, limit - this.t, this.options.maxStep ?? Infinity);
       // An evaluation that has no value counts as an error without bound: a shorter step may go around it.
       const error = this.stages(h) ? errorNorm(this.error, y, yNew, options.rtol, options.atol) : Infinity;
       if (error <= 1) {
@@ -109,14 +109,6 @@ export class Dopri5 implements Stepper {
   private f(t: number, y: Float64Array, out: Float64Array): boolean {
     this.counters.evaluations++;
     return this.problem.derivative(t, y, out);
-  }
-
-  /** The step to try: at most maxStep, stretched or halved so that no sliver is left before the limit. */
-  private stepTo(limit: number): number {
-    const left = limit - this.t;
-    const h = Math.min(this.h, this.options.maxStep ?? Infinity);
-    if (h >= left || 1.01 * h >= left) return left;
-    return 2 * h > left ? left / 2 : h;
   }
 
   /** Stages 2 to 7, the new state and the error estimate. The seventh stage is the next step's first. */

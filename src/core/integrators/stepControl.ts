@@ -56,6 +56,16 @@ export function errorNorm(error: Float64Array, y0: Float64Array, y1: Float64Arra
 }
 
 /**
+ * The step to try when `left` remains to the limit: at most `most`, and stretched by up to 1 % or halved where it would
+ * leave a sliver before the limit.
+ */
+export function stepWithin(h: number, left: number, most: number): number {
+  const step = Math.min(h, most);
+  if (1.01 * step >= left) return left;
+  return 2 * step > left ? left / 2 : step;
+}
+
+/**
  * First step of an explicit method of order p: Hairer, Nørsett and Wanner I, section II.4, "Starting step size".
  * `f0` = f(t0, y0); `scratch` holds two vectors; `f(t, y, out)` may fail, then the cautious guess stands.
  */

@@ -17,6 +17,7 @@ export const methods = [
   { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false },
   { id: 'gauss', label: 'Gauss', adaptive: true, stages: [1, 2, 3, 4] },
   { id: 'radau', label: 'Radau IIA', adaptive: true, stages: [2, 3] },
+  { id: 'bdf', label: 'BDF 1–5', adaptive: true },
 ] as const satisfies readonly MethodInfo[];
 
 export type MethodId = (typeof methods)[number]['id'];

@@ -1,4 +1,5 @@
 import { AdamsMoulton } from './adamsMoulton.ts';
+import { Bdf } from './bdf.ts';
 import { Collocation } from './collocation.ts';
 import { gauss, radau } from './collocationCoefficients.ts';
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
@@ -18,6 +19,7 @@ const steppers: Readonly<Record<MethodId, Create>> = {
   'adams-moulton': (problem, options) => new AdamsMoulton(problem, options),
   gauss: (problem, options) => new Collocation(problem, options, gauss(options.stages ?? 3)),
   radau: (problem, options) => new Collocation(problem, options, radau(options.stages ?? 3)),
+  bdf: (problem, options) => new Bdf(problem, options),
 };
 
 /** A stepper by its permanent id, or undefined where there is none of that name. */

@@ -1,4 +1,4 @@
-import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
+import { maxAbs, symmetricEigenvalues } from '../linalg/dense.ts';
 import { saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
 import type { ConstraintSet, System } from '../systems/types.ts';
 
@@ -47,6 +47,7 @@ export class ConstrainedSystem {
 
   private readonly kernels: SaddleKernels;
   private readonly inverse: Float64Array;
+  private readonly inverseS: Float64Array;
   private readonly Y: Float64Array;
   private readonly S: Float64Array;
   private readonly row: Float64Array;
@@ -81,6 +82,7 @@ export class ConstrainedSystem {
     this.heights = new Float64Array(this.contactCount);
     this.kernels = saddleKernels(n, m);
     this.inverse = new Float64Array(n);
+    this.inverseS = new Float64Array(m);
     this.Y = new Float64Array(m * n);
     this.S = new Float64Array(m * m);
     this.row = new Float64Array(n);
@@ -114,10 +116,10 @@ export class ConstrainedSystem {
   /** Factors M and S in place. False sets `failure`. */
   factor(): boolean {
     const { m, massMatrix, omega, Y, S, inverse, kernels, scaled } = this;
-    if (kernels.factor(massMatrix, inverse) !== 0) return this.fail(maxAbs(massMatrix) < Infinity ? 'mass-matrix-singular' : 'non-finite');
+    if (kernels.mass.factor(massMatrix, inverse, 0) !== 0) return this.fail(maxAbs(massMatrix) < Infinity ? 'mass-matrix-singular' : 'non-finite');
     if (m > 0) kernels.rows(massMatrix, inverse, omega, Y, S);
     for (let i = 0; i < m * m; i++) scaled[i] = S[i]!;
-    if (cholesky(S, m, DEPENDENT) !== 0) return this.fail(maxAbs(scaled) < Infinity ? 'constraint-singular' : 'non-finite');
+    if (kernels.schur.factor(S, this.inverseS, DEPENDENT) !== 0) return this.fail(maxAbs(scaled) < Infinity ? 'constraint-singular' : 'non-finite');
     this.failure = null;
     return true;
   }
@@ -195,25 +197,13 @@ export class ConstrainedSystem {
    * `solve` is the same with f the force and g = -gamma.
    */
   solveSaddle(f: Float64Array, g: Float64Array): void {
-    const { n, m, Y, massMatrix, inverse, kernels } = this;
-    kernels.forward(massMatrix, inverse, f);
-    for (let r = 0; r < m; r++) {
-      let sum = g[r]!;
-      for (let k = 0; k < n; k++) sum -= Y[r * n + k]! * f[k]!;
-      g[r] = sum;
-    }
-    this.solveS(g);
-    for (let r = 0; r < m; r++) {
-      const l = g[r]!;
-      for (let k = 0; k < n; k++) f[k]! += Y[r * n + k]! * l;
-    }
-    kernels.back(massMatrix, inverse, f);
+    this.kernels.solve(this.massMatrix, this.inverse, this.Y, this.S, this.inverseS, f, g);
   }
 
   /** Solves S x = b in place of b (m), after `factor`. */
   solveS(b: Float64Array): void {
-    solveLower(this.S, this.m, b);
-    solveLowerTransposed(this.S, this.m, b);
+    this.kernels.schur.forward(this.S, this.inverseS, b);
+    this.kernels.schur.back(this.S, this.inverseS, b);
   }
 
   /** x += M^-1 Omega^T w, after `factor`; `w` has m entries. */
@@ -221,7 +211,7 @@ export class ConstrainedSystem {
     const { n, m, Y, row } = this;
     row.fill(0);
     for (let r = 0; r < m; r++) for (let k = 0; k < n; k++) row[k]! += Y[r * n + k]! * w[r]!;
-    this.kernels.back(this.massMatrix, this.inverse, row);
+    this.kernels.mass.back(this.massMatrix, this.inverse, row);
     for (let k = 0; k < n; k++) x[k]! += row[k]!;
   }
 

@@ -3,6 +3,8 @@ import type { ConstrainedSystem } from './constrainedSystem.ts';
 
 /** Heights below this are rounding in metres for a board of a metre; also the goal of the Newton iteration. */
 const HEIGHT_GOAL = 1e-15;
+/** The same for the velocities of points, m/s. */
+const VELOCITY_GOAL = 1e-15;
 const MOST_ITERATIONS = 6;
 
 /**
@@ -63,7 +65,7 @@ export class Projection {
     for (let i = 0; i < 3; i++) {
       d.constraintVelocity(v, this.residuals);
       const size = maxAbs(this.residuals);
-      if (!(size > 0) || !(size < last)) return;
+      if (!(size > VELOCITY_GOAL) || !(size < last)) return;
       last = size;
       for (let r = 0; r < d.m; r++) this.w[r] = -this.residuals[r]!;
       d.solveS(this.w);

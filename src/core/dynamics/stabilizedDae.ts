@@ -14,6 +14,8 @@ import type { ConstrainedSystem } from './constrainedSystem.ts';
  * equations with constraints", J. Comp. Appl. Math. 12-13 (1985), 77-90; Hairer and Wanner, Solving ODEs II, 2nd ed.,
  * section VII.1, "stabilized index 2 formulation". Velocity constraints without heights are of index 2 as they are.
  *
+ * Not guaranteed: that dependent constraints are noticed; a step can pass over the moment (the run's event looks for it).
+ *
  * Held coordinates have q' = v and v' = 0 with v = 0 at the start; Omega has no columns for them.
  */
 

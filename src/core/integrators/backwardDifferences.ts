@@ -103,7 +103,7 @@ export class BackwardDifferences {
   }
 }
 
-/** R of Shampine and Reichelt, section 2.1: products of (i - 1 - r j) / i down each column. */
+/** R of Shampine and Reichelt: products of (i - 1 - r j) / i down each column. */
 function resampling(order: number, r: number, R: Float64Array): void {
   for (let j = 0; j <= order; j++) {
     let product = 1;
@@ -115,7 +115,7 @@ function resampling(order: number, r: number, R: Float64Array): void {
   }
 }
 
-/** Value at t_n + s h of the polynomial of differences `D` of an order (Newton's form, Shampine and Reichelt, section 2.2). */
+/** Value at t_n + s h of the polynomial of differences `D` of an order (Newton's form, for equal steps). */
 export function valueAt(D: readonly Float64Array[], order: number, s: number, out: Float64Array): void {
   out.set(D[0]!);
   let weight = 1;

@@ -8,7 +8,7 @@ import { firstStep } from './stepControl.ts';
  * The numerical differentiation formulas of order 1 to 5, BDF with a smaller constant of the error, for y' = f(t, y):
  * F = y' - f(t, y) in `BdfStepper`.
  *
- * kappa: Shampine and Reichelt (1997), table 1 (0 at order 5, where it would cost stability). One Jacobian serves
+ * kappa: Shampine and Reichelt (1997), section 2, as in SciPy's BDF (0 at order 5, where it would cost stability). One Jacobian serves
  * until Newton's method fails with it, whatever the step; differences where the problem has no exact one.
  */
 const KAPPA = [0, -0.185, -1 / 9, -0.0823, -0.0415, 0] as const;

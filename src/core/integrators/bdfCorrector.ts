@@ -7,8 +7,8 @@ import { ScaledLu } from './scaledLu.ts';
 
 /**
  * One step's equation: F(t, p + d, (sum gamma_j D[j] + alpha d) / h) = 0 for d, by simplified Newton iteration;
- * p is the prediction, alpha = (1 - kappa) gamma_k. Shampine and Reichelt (1997), section 2.2 and 2.3; tolerance as in
- * SciPy's BDF.
+ * p is the prediction, alpha = (1 - kappa) gamma_k. Shampine and Reichelt (1997), section 2; the iteration's tolerance is
+ * that of SciPy's BDF.
  */
 
 /** More than four iterations cost more than a shorter step. */

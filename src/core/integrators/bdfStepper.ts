@@ -14,19 +14,19 @@ import { allFinite } from './explicitFixed.ts';
  * A projection moves y by about the local error, O(h^(k+1)). `stateChanged` then moves the whole polynomial with it:
  * D[0] is replaced, the differences stay. The history is then that of z = y - (sum of all moves); its slope is
  * z' = y' between the moves, so the formula loses nothing, and each move enters once, like one more local error. (Had only
- * y_n been replaced, as CVODE does, all D[j] would change by the move, and with them the error estimates.) Such use
+ * y_n been replaced, all D[j] would change by the move, and with them the next error estimates.) Such use
  * of projected values keeps the order: E. Eich, SIAM J. Numer. Anal. 30 (1993), "Convergence results for a
  * coordinate projection method". A move far beyond the tolerance is another solution: order 1 again.
  *
  * Not guaranteed: damping of what oscillates fast at orders 3 to 5 (A(alpha)-stable only).
  */
 
-/** Shampine and Reichelt: change no step for less than this gain, so that the factors of the matrix serve on. */
+/** No step is changed for less than this gain, so that the factors of the matrix serve on. */
 const GROW_FROM = 1.2;
 const GROW_MOST = 10;
 const SHRINK_MOST = 0.2;
 const SAFETY = 0.9;
-/** After so many rejections of one step the history is no help: order 1 (Brenan, Campbell and Petzold, section 5.2). */
+/** After so many rejections of one step the history is no help: order 1 (as DASSL: Brenan, Campbell and Petzold, chapter 5). */
 const REJECTIONS_TO_RESTART = 3;
 /** A step below this many units in the last place of t cannot advance it reliably. */
 const SMALLEST_ULPS = 16;

@@ -9,11 +9,11 @@ import type { DaeProblem } from './dae.ts';
  * included.
  *
  * The BDF (kappa = 0) converge with order k for systems of index 1 and 2 (K. Brenan, S. Campbell, L. Petzold, Numerical
- * Solution of Initial-Value Problems in Differential-Algebraic Equations, SIAM 1996, sections 3.2.1 and 3.2.2).
+ * Solution of Initial-Value Problems in Differential-Algebraic Equations, SIAM 1996, section 3.2).
  *
  * Errors are tested on the differential components: after each change of step those of index-2 multipliers are of
  * a lower order in h though they leave the rest as it is, and a test of them would reject forever (same book,
- * section 5.4; IDA's "suppress algebraic variables"). For a problem of index 1, `testAll` tests everything.
+ * chapter 5; IDA's "suppress algebraic variables"). For a problem of index 1, `testAll` tests everything.
  *
  * The matrix is taken anew, from exact derivatives, whenever order or step change.
  */

@@ -7,7 +7,7 @@ import { luFactor, luSolve } from '../linalg/lu.ts';
  * multiplied by cj (about 1/h) and all rows brought to size 1 it stays bounded: L. Petzold, P. Lötstedt,
  * "Numerical solution of nonlinear differential equations with algebraic constraints II", SIAM J. Sci. Stat. Comput. 7
  * (1986), 720-733; K. Brenan, S. Campbell, L. Petzold, Numerical Solution of Initial-Value Problems in
- * Differential-Algebraic Equations (SIAM 1996), section 5.4.
+ * Differential-Algebraic Equations (SIAM 1996), chapter 5.
  */
 export class ScaledLu {
   /** Row-major; to be filled by the caller, factored in place. */

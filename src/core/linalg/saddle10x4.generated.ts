@@ -2,35 +2,40 @@
 // The kernels of `saddle.ts` for 10 coordinates and 4 constraint rows, as straight lines.
 /* eslint-disable */
 
-export function factor10(A: Float64Array, inverse: Float64Array): number {
-  const d0 = A[0]!;
-  if (!(d0 > 0)) return 1;
+export function factor10(A: Float64Array, inverse: Float64Array, relativeFloor: number): number {
+  const a0 = A[0]!;
+  const d0 = a0;
+  if (!(d0 > relativeFloor * a0)) return 1;
   const l0_0 = Math.sqrt(d0);
   const r0 = 1 / l0_0;
   const l1_0 = (A[10]!) * r0;
-  const d1 = A[11]! - l1_0 * l1_0;
-  if (!(d1 > 0)) return 2;
+  const a1 = A[11]!;
+  const d1 = a1 - l1_0 * l1_0;
+  if (!(d1 > relativeFloor * a1)) return 2;
   const l1_1 = Math.sqrt(d1);
   const r1 = 1 / l1_1;
   const l2_0 = (A[20]!) * r0;
   const l2_1 = (A[21]! - l2_0 * l1_0) * r1;
-  const d2 = A[22]! - l2_0 * l2_0 - l2_1 * l2_1;
-  if (!(d2 > 0)) return 3;
+  const a2 = A[22]!;
+  const d2 = a2 - l2_0 * l2_0 - l2_1 * l2_1;
+  if (!(d2 > relativeFloor * a2)) return 3;
   const l2_2 = Math.sqrt(d2);
   const r2 = 1 / l2_2;
   const l3_0 = (A[30]!) * r0;
   const l3_1 = (A[31]! - l3_0 * l1_0) * r1;
   const l3_2 = (A[32]! - l3_0 * l2_0 - l3_1 * l2_1) * r2;
-  const d3 = A[33]! - l3_0 * l3_0 - l3_1 * l3_1 - l3_2 * l3_2;
-  if (!(d3 > 0)) return 4;
+  const a3 = A[33]!;
+  const d3 = a3 - l3_0 * l3_0 - l3_1 * l3_1 - l3_2 * l3_2;
+  if (!(d3 > relativeFloor * a3)) return 4;
   const l3_3 = Math.sqrt(d3);
   const r3 = 1 / l3_3;
   const l4_0 = (A[40]!) * r0;
   const l4_1 = (A[41]! - l4_0 * l1_0) * r1;
   const l4_2 = (A[42]! - l4_0 * l2_0 - l4_1 * l2_1) * r2;
   const l4_3 = (A[43]! - l4_0 * l3_0 - l4_1 * l3_1 - l4_2 * l3_2) * r3;
-  const d4 = A[44]! - l4_0 * l4_0 - l4_1 * l4_1 - l4_2 * l4_2 - l4_3 * l4_3;
-  if (!(d4 > 0)) return 5;
+  const a4 = A[44]!;
+  const d4 = a4 - l4_0 * l4_0 - l4_1 * l4_1 - l4_2 * l4_2 - l4_3 * l4_3;
+  if (!(d4 > relativeFloor * a4)) return 5;
   const l4_4 = Math.sqrt(d4);
   const r4 = 1 / l4_4;
   const l5_0 = (A[50]!) * r0;
@@ -38,8 +43,9 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   const l5_2 = (A[52]! - l5_0 * l2_0 - l5_1 * l2_1) * r2;
   const l5_3 = (A[53]! - l5_0 * l3_0 - l5_1 * l3_1 - l5_2 * l3_2) * r3;
   const l5_4 = (A[54]! - l5_0 * l4_0 - l5_1 * l4_1 - l5_2 * l4_2 - l5_3 * l4_3) * r4;
-  const d5 = A[55]! - l5_0 * l5_0 - l5_1 * l5_1 - l5_2 * l5_2 - l5_3 * l5_3 - l5_4 * l5_4;
-  if (!(d5 > 0)) return 6;
+  const a5 = A[55]!;
+  const d5 = a5 - l5_0 * l5_0 - l5_1 * l5_1 - l5_2 * l5_2 - l5_3 * l5_3 - l5_4 * l5_4;
+  if (!(d5 > relativeFloor * a5)) return 6;
   const l5_5 = Math.sqrt(d5);
   const r5 = 1 / l5_5;
   const l6_0 = (A[60]!) * r0;
@@ -48,8 +54,9 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   const l6_3 = (A[63]! - l6_0 * l3_0 - l6_1 * l3_1 - l6_2 * l3_2) * r3;
   const l6_4 = (A[64]! - l6_0 * l4_0 - l6_1 * l4_1 - l6_2 * l4_2 - l6_3 * l4_3) * r4;
   const l6_5 = (A[65]! - l6_0 * l5_0 - l6_1 * l5_1 - l6_2 * l5_2 - l6_3 * l5_3 - l6_4 * l5_4) * r5;
-  const d6 = A[66]! - l6_0 * l6_0 - l6_1 * l6_1 - l6_2 * l6_2 - l6_3 * l6_3 - l6_4 * l6_4 - l6_5 * l6_5;
-  if (!(d6 > 0)) return 7;
+  const a6 = A[66]!;
+  const d6 = a6 - l6_0 * l6_0 - l6_1 * l6_1 - l6_2 * l6_2 - l6_3 * l6_3 - l6_4 * l6_4 - l6_5 * l6_5;
+  if (!(d6 > relativeFloor * a6)) return 7;
   const l6_6 = Math.sqrt(d6);
   const r6 = 1 / l6_6;
   const l7_0 = (A[70]!) * r0;
@@ -59,8 +66,9 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   const l7_4 = (A[74]! - l7_0 * l4_0 - l7_1 * l4_1 - l7_2 * l4_2 - l7_3 * l4_3) * r4;
   const l7_5 = (A[75]! - l7_0 * l5_0 - l7_1 * l5_1 - l7_2 * l5_2 - l7_3 * l5_3 - l7_4 * l5_4) * r5;
   const l7_6 = (A[76]! - l7_0 * l6_0 - l7_1 * l6_1 - l7_2 * l6_2 - l7_3 * l6_3 - l7_4 * l6_4 - l7_5 * l6_5) * r6;
-  const d7 = A[77]! - l7_0 * l7_0 - l7_1 * l7_1 - l7_2 * l7_2 - l7_3 * l7_3 - l7_4 * l7_4 - l7_5 * l7_5 - l7_6 * l7_6;
-  if (!(d7 > 0)) return 8;
+  const a7 = A[77]!;
+  const d7 = a7 - l7_0 * l7_0 - l7_1 * l7_1 - l7_2 * l7_2 - l7_3 * l7_3 - l7_4 * l7_4 - l7_5 * l7_5 - l7_6 * l7_6;
+  if (!(d7 > relativeFloor * a7)) return 8;
   const l7_7 = Math.sqrt(d7);
   const r7 = 1 / l7_7;
   const l8_0 = (A[80]!) * r0;
@@ -71,8 +79,9 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   const l8_5 = (A[85]! - l8_0 * l5_0 - l8_1 * l5_1 - l8_2 * l5_2 - l8_3 * l5_3 - l8_4 * l5_4) * r5;
   const l8_6 = (A[86]! - l8_0 * l6_0 - l8_1 * l6_1 - l8_2 * l6_2 - l8_3 * l6_3 - l8_4 * l6_4 - l8_5 * l6_5) * r6;
   const l8_7 = (A[87]! - l8_0 * l7_0 - l8_1 * l7_1 - l8_2 * l7_2 - l8_3 * l7_3 - l8_4 * l7_4 - l8_5 * l7_5 - l8_6 * l7_6) * r7;
-  const d8 = A[88]! - l8_0 * l8_0 - l8_1 * l8_1 - l8_2 * l8_2 - l8_3 * l8_3 - l8_4 * l8_4 - l8_5 * l8_5 - l8_6 * l8_6 - l8_7 * l8_7;
-  if (!(d8 > 0)) return 9;
+  const a8 = A[88]!;
+  const d8 = a8 - l8_0 * l8_0 - l8_1 * l8_1 - l8_2 * l8_2 - l8_3 * l8_3 - l8_4 * l8_4 - l8_5 * l8_5 - l8_6 * l8_6 - l8_7 * l8_7;
+  if (!(d8 > relativeFloor * a8)) return 9;
   const l8_8 = Math.sqrt(d8);
   const r8 = 1 / l8_8;
   const l9_0 = (A[90]!) * r0;
@@ -84,8 +93,9 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   const l9_6 = (A[96]! - l9_0 * l6_0 - l9_1 * l6_1 - l9_2 * l6_2 - l9_3 * l6_3 - l9_4 * l6_4 - l9_5 * l6_5) * r6;
   const l9_7 = (A[97]! - l9_0 * l7_0 - l9_1 * l7_1 - l9_2 * l7_2 - l9_3 * l7_3 - l9_4 * l7_4 - l9_5 * l7_5 - l9_6 * l7_6) * r7;
   const l9_8 = (A[98]! - l9_0 * l8_0 - l9_1 * l8_1 - l9_2 * l8_2 - l9_3 * l8_3 - l9_4 * l8_4 - l9_5 * l8_5 - l9_6 * l8_6 - l9_7 * l8_7) * r8;
-  const d9 = A[99]! - l9_0 * l9_0 - l9_1 * l9_1 - l9_2 * l9_2 - l9_3 * l9_3 - l9_4 * l9_4 - l9_5 * l9_5 - l9_6 * l9_6 - l9_7 * l9_7 - l9_8 * l9_8;
-  if (!(d9 > 0)) return 10;
+  const a9 = A[99]!;
+  const d9 = a9 - l9_0 * l9_0 - l9_1 * l9_1 - l9_2 * l9_2 - l9_3 * l9_3 - l9_4 * l9_4 - l9_5 * l9_5 - l9_6 * l9_6 - l9_7 * l9_7 - l9_8 * l9_8;
+  if (!(d9 > relativeFloor * a9)) return 10;
   const l9_9 = Math.sqrt(d9);
   const r9 = 1 / l9_9;
   A[0] = l0_0;
@@ -153,6 +163,50 @@ export function factor10(A: Float64Array, inverse: Float64Array): number {
   inverse[7] = r7;
   inverse[8] = r8;
   inverse[9] = r9;
+  return 0;
+}
+
+export function factor4(A: Float64Array, inverse: Float64Array, relativeFloor: number): number {
+  const a0 = A[0]!;
+  const d0 = a0;
+  if (!(d0 > relativeFloor * a0)) return 1;
+  const l0_0 = Math.sqrt(d0);
+  const r0 = 1 / l0_0;
+  const l1_0 = (A[4]!) * r0;
+  const a1 = A[5]!;
+  const d1 = a1 - l1_0 * l1_0;
+  if (!(d1 > relativeFloor * a1)) return 2;
+  const l1_1 = Math.sqrt(d1);
+  const r1 = 1 / l1_1;
+  const l2_0 = (A[8]!) * r0;
+  const l2_1 = (A[9]! - l2_0 * l1_0) * r1;
+  const a2 = A[10]!;
+  const d2 = a2 - l2_0 * l2_0 - l2_1 * l2_1;
+  if (!(d2 > relativeFloor * a2)) return 3;
+  const l2_2 = Math.sqrt(d2);
+  const r2 = 1 / l2_2;
+  const l3_0 = (A[12]!) * r0;
+  const l3_1 = (A[13]! - l3_0 * l1_0) * r1;
+  const l3_2 = (A[14]! - l3_0 * l2_0 - l3_1 * l2_1) * r2;
+  const a3 = A[15]!;
+  const d3 = a3 - l3_0 * l3_0 - l3_1 * l3_1 - l3_2 * l3_2;
+  if (!(d3 > relativeFloor * a3)) return 4;
+  const l3_3 = Math.sqrt(d3);
+  const r3 = 1 / l3_3;
+  A[0] = l0_0;
+  A[4] = l1_0;
+  A[5] = l1_1;
+  A[8] = l2_0;
+  A[9] = l2_1;
+  A[10] = l2_2;
+  A[12] = l3_0;
+  A[13] = l3_1;
+  A[14] = l3_2;
+  A[15] = l3_3;
+  inverse[0] = r0;
+  inverse[1] = r1;
+  inverse[2] = r2;
+  inverse[3] = r3;
   return 0;
 }
 
@@ -320,6 +374,51 @@ export function rows10x4(L: Float64Array, inverse: Float64Array, omega: Float64A
   S[15] = s3_3;
 }
 
+export function solve10x4(L: Float64Array, inverse: Float64Array, Y: Float64Array, S: Float64Array, inverseS: Float64Array, f: Float64Array, g: Float64Array): void {
+  const x0 = (f[0]!) * inverse[0]!;
+  const x1 = (f[1]! - L[10]! * x0) * inverse[1]!;
+  const x2 = (f[2]! - L[20]! * x0 - L[21]! * x1) * inverse[2]!;
+  const x3 = (f[3]! - L[30]! * x0 - L[31]! * x1 - L[32]! * x2) * inverse[3]!;
+  const x4 = (f[4]! - L[40]! * x0 - L[41]! * x1 - L[42]! * x2 - L[43]! * x3) * inverse[4]!;
+  const x5 = (f[5]! - L[50]! * x0 - L[51]! * x1 - L[52]! * x2 - L[53]! * x3 - L[54]! * x4) * inverse[5]!;
+  const x6 = (f[6]! - L[60]! * x0 - L[61]! * x1 - L[62]! * x2 - L[63]! * x3 - L[64]! * x4 - L[65]! * x5) * inverse[6]!;
+  const x7 = (f[7]! - L[70]! * x0 - L[71]! * x1 - L[72]! * x2 - L[73]! * x3 - L[74]! * x4 - L[75]! * x5 - L[76]! * x6) * inverse[7]!;
+  const x8 = (f[8]! - L[80]! * x0 - L[81]! * x1 - L[82]! * x2 - L[83]! * x3 - L[84]! * x4 - L[85]! * x5 - L[86]! * x6 - L[87]! * x7) * inverse[8]!;
+  const x9 = (f[9]! - L[90]! * x0 - L[91]! * x1 - L[92]! * x2 - L[93]! * x3 - L[94]! * x4 - L[95]! * x5 - L[96]! * x6 - L[97]! * x7 - L[98]! * x8) * inverse[9]!;
+  const c0 = (g[0]! - Y[0]! * x0 - Y[1]! * x1 - Y[2]! * x2 - Y[3]! * x3 - Y[4]! * x4 - Y[5]! * x5 - Y[6]! * x6 - Y[7]! * x7 - Y[8]! * x8 - Y[9]! * x9) * inverseS[0]!;
+  const c1 = (g[1]! - Y[10]! * x0 - Y[11]! * x1 - Y[12]! * x2 - Y[13]! * x3 - Y[14]! * x4 - Y[15]! * x5 - Y[16]! * x6 - Y[17]! * x7 - Y[18]! * x8 - Y[19]! * x9 - S[4]! * c0) * inverseS[1]!;
+  const c2 = (g[2]! - Y[20]! * x0 - Y[21]! * x1 - Y[22]! * x2 - Y[23]! * x3 - Y[24]! * x4 - Y[25]! * x5 - Y[26]! * x6 - Y[27]! * x7 - Y[28]! * x8 - Y[29]! * x9 - S[8]! * c0 - S[9]! * c1) * inverseS[2]!;
+  const c3 = (g[3]! - Y[30]! * x0 - Y[31]! * x1 - Y[32]! * x2 - Y[33]! * x3 - Y[34]! * x4 - Y[35]! * x5 - Y[36]! * x6 - Y[37]! * x7 - Y[38]! * x8 - Y[39]! * x9 - S[12]! * c0 - S[13]! * c1 - S[14]! * c2) * inverseS[3]!;
+  const w3 = (c3) * inverseS[3]!;
+  const w2 = (c2 - S[14]! * w3) * inverseS[2]!;
+  const w1 = (c1 - S[9]! * w2 - S[13]! * w3) * inverseS[1]!;
+  const w0 = (c0 - S[4]! * w1 - S[8]! * w2 - S[12]! * w3) * inverseS[0]!;
+  const z9 = (x9 + Y[9]! * w0 + Y[19]! * w1 + Y[29]! * w2 + Y[39]! * w3) * inverse[9]!;
+  const z8 = (x8 + Y[8]! * w0 + Y[18]! * w1 + Y[28]! * w2 + Y[38]! * w3 - L[98]! * z9) * inverse[8]!;
+  const z7 = (x7 + Y[7]! * w0 + Y[17]! * w1 + Y[27]! * w2 + Y[37]! * w3 - L[87]! * z8 - L[97]! * z9) * inverse[7]!;
+  const z6 = (x6 + Y[6]! * w0 + Y[16]! * w1 + Y[26]! * w2 + Y[36]! * w3 - L[76]! * z7 - L[86]! * z8 - L[96]! * z9) * inverse[6]!;
+  const z5 = (x5 + Y[5]! * w0 + Y[15]! * w1 + Y[25]! * w2 + Y[35]! * w3 - L[65]! * z6 - L[75]! * z7 - L[85]! * z8 - L[95]! * z9) * inverse[5]!;
+  const z4 = (x4 + Y[4]! * w0 + Y[14]! * w1 + Y[24]! * w2 + Y[34]! * w3 - L[54]! * z5 - L[64]! * z6 - L[74]! * z7 - L[84]! * z8 - L[94]! * z9) * inverse[4]!;
+  const z3 = (x3 + Y[3]! * w0 + Y[13]! * w1 + Y[23]! * w2 + Y[33]! * w3 - L[43]! * z4 - L[53]! * z5 - L[63]! * z6 - L[73]! * z7 - L[83]! * z8 - L[93]! * z9) * inverse[3]!;
+  const z2 = (x2 + Y[2]! * w0 + Y[12]! * w1 + Y[22]! * w2 + Y[32]! * w3 - L[32]! * z3 - L[42]! * z4 - L[52]! * z5 - L[62]! * z6 - L[72]! * z7 - L[82]! * z8 - L[92]! * z9) * inverse[2]!;
+  const z1 = (x1 + Y[1]! * w0 + Y[11]! * w1 + Y[21]! * w2 + Y[31]! * w3 - L[21]! * z2 - L[31]! * z3 - L[41]! * z4 - L[51]! * z5 - L[61]! * z6 - L[71]! * z7 - L[81]! * z8 - L[91]! * z9) * inverse[1]!;
+  const z0 = (x0 + Y[0]! * w0 + Y[10]! * w1 + Y[20]! * w2 + Y[30]! * w3 - L[10]! * z1 - L[20]! * z2 - L[30]! * z3 - L[40]! * z4 - L[50]! * z5 - L[60]! * z6 - L[70]! * z7 - L[80]! * z8 - L[90]! * z9) * inverse[0]!;
+  f[0] = z0;
+  f[1] = z1;
+  f[2] = z2;
+  f[3] = z3;
+  f[4] = z4;
+  f[5] = z5;
+  f[6] = z6;
+  f[7] = z7;
+  f[8] = z8;
+  f[9] = z9;
+  g[0] = w0;
+  g[1] = w1;
+  g[2] = w2;
+  g[3] = w3;
+}
+
 export function forward10(L: Float64Array, inverse: Float64Array, b: Float64Array): void {
   const x0 = (b[0]!) * inverse[0]!;
   const x1 = (b[1]! - L[10]! * x0) * inverse[1]!;
@@ -364,4 +463,26 @@ export function back10(L: Float64Array, inverse: Float64Array, b: Float64Array):
   b[7] = x7;
   b[8] = x8;
   b[9] = x9;
+}
+
+export function forward4(L: Float64Array, inverse: Float64Array, b: Float64Array): void {
+  const x0 = (b[0]!) * inverse[0]!;
+  const x1 = (b[1]! - L[4]! * x0) * inverse[1]!;
+  const x2 = (b[2]! - L[8]! * x0 - L[9]! * x1) * inverse[2]!;
+  const x3 = (b[3]! - L[12]! * x0 - L[13]! * x1 - L[14]! * x2) * inverse[3]!;
+  b[0] = x0;
+  b[1] = x1;
+  b[2] = x2;
+  b[3] = x3;
+}
+
+export function back4(L: Float64Array, inverse: Float64Array, b: Float64Array): void {
+  const x3 = (b[3]!) * inverse[3]!;
+  const x2 = (b[2]! - L[14]! * x3) * inverse[2]!;
+  const x1 = (b[1]! - L[9]! * x2 - L[13]! * x3) * inverse[1]!;
+  const x0 = (b[0]! - L[4]! * x1 - L[8]! * x2 - L[12]! * x3) * inverse[0]!;
+  b[0] = x0;
+  b[1] = x1;
+  b[2] = x2;
+  b[3] = x3;
 }

@@ -60,6 +60,8 @@ export interface ConstraintSet {
   rows: number;
   /** `Omega` is rows x n, `gamma` has rows entries. */
   evaluate(q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array): void;
+  /** The system's `mechanics` and `evaluate` in one, where that is cheaper than the two. */
+  dynamics?(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array): void;
   /**
    * Exact Jacobians at given a and lambda:
    * `forceQ` = d(Omega^T lambda)/dq (n x n), `rateQ`, `rateV` = d(Omega a + gamma)/dq, /dv (rows x n),

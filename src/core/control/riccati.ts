@@ -1,4 +1,4 @@
-import { Matrix } from 'ml-matrix';
+import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
 import { ControlError, norm, solveLinear, symmetricPart } from './matrices.ts';
 import { complexText, ON_AXIS, plainEigenvalues, type Complex } from './spectrum.ts';
 import { lyapunov } from './sylvester.ts';
@@ -11,7 +11,8 @@ import { lyapunov } from './sylvester.ts';
  * continuous-time algebraic Riccati equations", Linear Algebra and its Applications 396 (2005), 55-80): a Cayley
  * transform with gamma > 0, then steps that square the transformed Hamiltonian, so that convergence is quadratic.
  * Afterwards Newton's method (D. L. Kleinman, "On an iterative technique for Riccati equation computations", IEEE
- * Trans. Automatic Control 13 (1968), 114-115), in the form that corrects by the residual, down to rounding.
+ * Trans. Automatic Control 13 (1968), 114-115), in the form that corrects by the residual, down to rounding. Both are done
+ * twice: the first solution gives the coordinates in which the second is well scaled.
  *
  * Not guaranteed: small entries of X beside very large ones to full relative precision. The residual says how good it is.
  */
@@ -39,23 +40,25 @@ const ACCEPTED = 1e-10;
  */
 export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[]): RiccatiSolution {
   const n = A.rows;
-  const weighted = Matrix.zeros(B.columns, n);
-  for (let k = 0; k < B.columns; k++) for (let i = 0; i < n; i++) weighted.set(k, i, B.get(i, k) / R[k]!);
-  if (n === 0) return { X: new Matrix(0, 0), gain: weighted, residual: 0, closedLoop: [], doublings: 0, corrections: 0 };
-  const G = symmetricPart(B.mmul(weighted));
-  // Scaled so that G and Q are of one size: X = s Y, A^T Y + Y A - Y (s G) Y + Q / s = 0.
-  const s = norm(G) > 0 && norm(Q) > 0 ? Math.sqrt(norm(Q) / norm(G)) : 1;
-  const [g, q] = [Matrix.mul(G, s), Matrix.mul(Q, 1 / s)];
-  const started = doubling(A, g, q);
-  if (!started) throw new ControlError(unsolvable(plainEigenvalues(A)));
-  const { Y, corrections } = refine(A, g, q, started.Y);
-  const X = Y.mul(s);
-  const closedLoop = plainEigenvalues(Matrix.sub(A, G.mmul(X)));
-  const solution = { X, gain: weighted.mmul(X), residual: careResidual(A, G, Q, X), closedLoop, doublings: started.steps, corrections };
+  // In units where every input costs 1: u = R^-1/2 w.
+  const unit = Matrix.diag(R.map((r) => 1 / Math.sqrt(r)));
+  const F = B.mmul(unit);
+  if (n === 0) return { X: new Matrix(0, 0), gain: new Matrix(B.columns, 0), residual: 0, closedLoop: [], doublings: 0, corrections: 0 };
+  const rough = doubling(A, F.mmul(F.transpose()), Q);
+  if (!rough) throw new ControlError(unsolvable(plainEigenvalues(A)));
+  // Again in coordinates x = T z where the rough solution is the identity: G and X are of one size in all directions.
+  const { T, inverseT } = whitening(rough.Y);
+  const [a, f, q] = [inverseT.mmul(A).mmul(T), inverseT.mmul(F), symmetricPart(T.transpose().mmul(Q).mmul(T))];
+  const fine = doubling(a, f.mmul(f.transpose()), q) ?? { Y: Matrix.eye(n), steps: 0 };
+  const { Y, corrections } = refine(a, f, q, fine.Y);
+  const w = f.transpose().mmul(Y);
+  const closedLoop = plainEigenvalues(Matrix.sub(a, f.mmul(w)));
+  const X = symmetricPart(inverseT.transpose().mmul(Y).mmul(inverseT));
+  const residual = careResidual(A, F, Q, X);
   // On the axis to rounding is not stable: there the two halves of the Hamiltonian's spectrum meet.
   const slow = closedLoop.filter(([re]) => !(re < -1e-14 * norm(A)));
-  if (slow.length > 0 || !(solution.residual < ACCEPTED)) throw new ControlError(unsolvable(slow.length > 0 ? slow : closedLoop));
-  return solution;
+  if (slow.length > 0 || !(residual < ACCEPTED)) throw new ControlError(unsolvable(slow.length > 0 ? slow : closedLoop));
+  return { X, gain: unit.mmul(w).mmul(inverseT), residual, closedLoop, doublings: rough.steps + fine.steps, corrections };
 }
 
 function unsolvable(near: readonly Complex[]): string {
@@ -63,15 +66,28 @@ function unsolvable(near: readonly Complex[]): string {
   return `the Riccati equation has no stabilizing solution that can be computed: it fails at the mode with eigenvalue ${complexText(worst)}, which the inputs can hardly move or the weights hardly see`;
 }
 
-export function careResidual(A: Matrix, G: Matrix, Q: Matrix, X: Matrix): number {
-  const AtX = A.transpose().mmul(X);
-  const XGX = X.mmul(G).mmul(X);
-  const size = 2 * norm(AtX) + norm(XGX) + norm(Q);
-  return size > 0 ? norm(remainder(AtX, XGX, Q)) / size : 0;
+/** Eigenvalues of X below this share of the largest are raised to it: X may be singular, T may not. */
+const FLOOR = 1e-14;
+
+/** T with T^T X T = I, and its inverse, from the eigenvectors of X. */
+function whitening(X: Matrix): { T: Matrix; inverseT: Matrix } {
+  const { realEigenvalues, eigenvectorMatrix: E } = new EigenvalueDecomposition(symmetricPart(X), { assumeSymmetric: true });
+  const least = FLOOR * Math.max(...realEigenvalues) || 1;
+  const roots = realEigenvalues.map((x) => Math.sqrt(Math.max(x, least)));
+  return { T: E.mmul(Matrix.diag(roots.map((r) => 1 / r))), inverseT: Matrix.diag(roots).mmul(E.transpose()) };
 }
 
-function remainder(AtX: Matrix, XGX: Matrix, Q: Matrix): Matrix {
-  return Matrix.add(AtX, AtX.transpose()).sub(XGX).add(Q);
+/** |A^T X + X A - X F F^T X + Q| as a share of its terms, F = B R^-1/2. */
+export function careResidual(A: Matrix, F: Matrix, Q: Matrix, X: Matrix): number {
+  const AtX = A.transpose().mmul(X);
+  const w = F.transpose().mmul(X);
+  const size = 2 * norm(AtX) + norm(w) ** 2 + norm(Q);
+  return size > 0 ? norm(remainder(AtX, w, Q)) / size : 0;
+}
+
+/** With w = F^T X: the product X F F^T X through w loses less to cancellation than through F F^T. */
+function remainder(AtX: Matrix, w: Matrix, Q: Matrix): Matrix {
+  return Matrix.add(AtX, AtX.transpose()).sub(w.transpose().mmul(w)).add(Q);
 }
 
 /** Paper symbols: A_k, G_k, H_k; H_k tends to X. Null where it does not converge. */
@@ -130,16 +146,17 @@ function cayley(A: Matrix, G: Matrix, H: Matrix, gamma: number): { Ak: Matrix; G
 }
 
 /** Newton's corrections while they make the residual smaller; none where the start does not stabilize. */
-function refine(A: Matrix, G: Matrix, Q: Matrix, start: Matrix): { Y: Matrix; corrections: number } {
+function refine(A: Matrix, F: Matrix, Q: Matrix, start: Matrix): { Y: Matrix; corrections: number } {
   let Y = start;
-  let least = careResidual(A, G, Q, Y);
+  let least = careResidual(A, F, Q, Y);
   for (let corrections = 0; corrections < MOST_CORRECTIONS; corrections++) {
-    const closed = Matrix.sub(A, G.mmul(Y));
+    const w = F.transpose().mmul(Y);
+    const closed = Matrix.sub(A, F.mmul(w));
     if (plainEigenvalues(closed).some(([re]) => re > ON_AXIS * norm(A))) return { Y, corrections };
-    const change = lyapunov(closed, remainder(A.transpose().mmul(Y), Y.mmul(G).mmul(Y), Q));
+    const change = lyapunov(closed, remainder(A.transpose().mmul(Y), w, Q));
     if (!change) return { Y, corrections };
     const next = symmetricPart(Matrix.add(Y, change));
-    const residual = careResidual(A, G, Q, next);
+    const residual = careResidual(A, F, Q, next);
     if (!(residual < least)) return { Y, corrections };
     Y = next;
     least = residual;

@@ -93,7 +93,7 @@ export class Simulation {
     const n = (this.n = meta.coordinates.length);
     const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
-    this.actuation = actuationOf(scenario, meta);
+    this.actuation = actuationOf(scenario, system);
     const start = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     this.notes = start.notes;

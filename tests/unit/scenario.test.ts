@@ -89,9 +89,9 @@ describe('what the specification shows', () => {
   });
 
   it('knows the method ida, which has no formulation, and reads back what it made of it', () => {
-    const checked = scenarioOf(board({ method: { name: 'ida' } }));
-    expect(checked.method).toEqual({ name: 'ida', rtol: 1e-8, atol: 1e-10, projection: true });
-    expect(scenarioOf(checked)).toEqual(checked);
+    const { method } = scenarioOf(board({ method: { name: 'ida' } }));
+    expect(method).toEqual({ name: 'ida', rtol: 1e-8, atol: 1e-10, projection: true });
+    expect(scenarioOf(board({ method })).method).toEqual(method);
   });
 
   it.each(['rolling', 'report', 'none'])('knows the constraints %s', (constraints) => {

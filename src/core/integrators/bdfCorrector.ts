@@ -14,6 +14,12 @@ import { ScaledLu } from './scaledLu.ts';
 /** More than four iterations cost more than a shorter step. */
 export const MOST_ITERATIONS = 4;
 
+/**
+ * Increments that do not shrink any more, with derivatives of this very step and this far below the tolerance, are
+ * rounding: near dependent constraints it is more than its share of each variable alone tells.
+ */
+const HARMLESS = 0.03;
+
 export class BdfCorrector {
   /** y - prediction. */
   readonly d: Float64Array;
@@ -87,7 +93,8 @@ export class BdfCorrector {
       if (!lu.factor(this.cj)) return 'slow';
       this.factoredFor = this.cj;
     }
-    return this.newton.solve(this.correct, this.tolerance, this.floor);
+    const floor = this.controlled && this.current ? Math.max(this.floor, HARMLESS) : this.floor;
+    return this.newton.solve(this.correct, this.tolerance, floor);
   }
 
   private readonly correct = (): number => {

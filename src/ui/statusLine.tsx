@@ -29,7 +29,7 @@ function RunFacts() {
   const words = text.status;
   return (
     <>
-      <span title={method?.formulation ?? DEFAULTS.formulation}>{name}</span>
+      <span title={name === 'ida' ? undefined : (method?.formulation ?? DEFAULTS.formulation)}>{name}</span>
       <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
       <Trust numbers={statistics} driven={isDriven(state.motion.value?.scenario ?? null)} />
     </>

@@ -10,7 +10,7 @@ export const text = {
     experiment: 'Experiment', now: 'Now', file: 'File', fold: (name: string) => `Fold ${name}`, unfold: (name: string) => `Show ${name}`,
     system: 'System', constraints: 'Constraints', hold: 'Held coordinates', holdHint: 'Frozen at their initial value.',
     start: 'Start', startHint: 'Empty: not named, rests or gives way. Plain angles are degrees; pi/8 and 0.3 rad are read as written.',
-    value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation',
+    value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation', residualAsItIs: 'None: IDA takes the residual as it is',
     rtol: 'relative tolerance', atol: 'absolute tolerance', step: 'step (first step if adaptive)', maxStep: 'largest step', auto: 'auto',
     projection: 'Project every step and sample onto the constraints', inputs: 'Inputs', inputsHint: 'Numbers or expressions of t, e.g. 0.1*sin(2*pi*t).',
     rawForce: 'generalized force', siUnit: 'SI',

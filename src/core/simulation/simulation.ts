@@ -2,15 +2,12 @@ import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
 import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../dynamics/events.ts';
 import { actuationOf, type Actuation } from '../dynamics/forcing.ts';
-import type { Formulation } from '../dynamics/formulations/contract.ts';
-import { formulations } from '../dynamics/formulations/formulations.ts';
-import { createFormulation } from '../dynamics/formulations/registry.ts';
+import type { StateMap } from '../dynamics/formulations/contract.ts';
 import { Projection } from '../dynamics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
-import { methods, type MethodInfo } from '../integrators/methods.ts';
-import { createStepper } from '../integrators/registry.ts';
-import { ScenarioError, type Scenario } from '../scenario/types.ts';
+import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
+import { motionOf } from './motion.ts';
 
 /** How a run ended. `reason` is a permanent id; `message` is for people. */
 export interface RunEnd {
@@ -59,7 +56,8 @@ export class Simulation {
   private readonly n: number;
   private readonly actuation: Actuation;
   private readonly projection: Projection;
-  private readonly formulation: Formulation;
+  /** The formulation, or the residual of `ida`. */
+  private readonly formulation: StateMap;
   private readonly stepper: Stepper;
   /** Work before the stepper was last restarted. */
   private readonly earlier = zeroCounters();
@@ -115,8 +113,9 @@ export class Simulation {
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
-    this.formulation = this.newFormulation();
-    this.stepper = this.newStepper();
+    const { map, stepper } = motionOf(scenario.method, this.dynamics);
+    this.formulation = map;
+    this.stepper = stepper;
     this.sample = new Float64Array(this.stepper.y.length);
     this.begin();
   }
@@ -311,24 +310,6 @@ export class Simulation {
       grown.set(old);
       return grown;
     });
-  }
-
-  private newFormulation(): Formulation {
-    const id = this.scenario.method.formulation;
-    const formulation = createFormulation(id, this.dynamics);
-    if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
-    return formulation;
-  }
-
-  /** Every stepper on every formulation. (`ida`, on the residual as it is, would be made here, without one.) */
-  private newStepper(): Stepper {
-    const { method } = this.scenario;
-    const info: MethodInfo | undefined = methods.find((m) => m.id === method.name);
-    if (!info) throw new ScenarioError('method.name', `"${method.name}" is not available; right would be ${methods.map((m) => m.id).join(', ')}`);
-    if (method.stages !== undefined && !info.stages?.includes(method.stages)) {
-      throw new ScenarioError('method.stages', info.stages ? `${info.id} has ${info.stages.join(', ')} stages, not ${method.stages}` : `${info.id} has no choice of stages; leave it out`);
-    }
-    return createStepper(info.id, this.formulation, method)!;
   }
 }
 

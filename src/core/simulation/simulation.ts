@@ -28,6 +28,13 @@ export interface RunCounts {
   residual: number;
 }
 
+/** A row of an earlier run to go on from: `time` is a multiple of the output step, q and v as in that row. */
+export interface Continuation {
+  time: number;
+  q: readonly number[];
+  v: readonly number[];
+}
+
 /** Rows that a chunk starts with room for; it grows when a long step brings more. */
 const CHUNK_ROWS = 512;
 
@@ -84,7 +91,8 @@ export class Simulation {
   private largestKinetic = 0;
   private largestResidual = 0;
 
-  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns) {
+  /** @param from goes on from there, with the row after it, in place of a consistent start at t = 0 */
+  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns, from?: Continuation) {
     this.scenario = scenario;
     this.system = system;
     const { meta } = system;
@@ -92,7 +100,9 @@ export class Simulation {
     const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
     this.actuation = actuationOf(scenario, system);
-    const start = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
+    const start = from
+      ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
+      : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     this.notes = start.notes;
     this.q = start.q;
@@ -117,7 +127,11 @@ export class Simulation {
     this.formulation = map;
     this.stepper = stepper;
     this.sample = new Float64Array(this.stepper.y.length);
-    this.begin();
+    this.begin(from?.time ?? 0);
+    if (from) {
+      this.rows = 0;
+      this.emitted = Math.round(from.time / scenario.outputStep) + 1;
+    }
   }
 
   get time(): number {
@@ -150,19 +164,20 @@ export class Simulation {
     this.end ??= { reason, message, time: this.stepper.t };
   }
 
-  private begin(): void {
+  private begin(time: number): void {
     const { stepper, formulation, sample, q, v } = this;
     formulation.rebase(q, v);
     formulation.fromState(q, v, sample);
-    stepper.reset(0, sample);
+    stepper.reset(time, sample);
     this.sampleQ.set(q);
     this.sampleV.set(v);
-    this.emit(0);
+    this.emit(time);
+    this.startEnergy = this.energy;
     this.events.forEach((event, i) => {
-      const value = event.value(0, this.q, this.v);
+      const value = event.value(time, this.q, this.v);
       this.eventValues[i] = value;
       // Dependent constraints at the very start leave nothing to integrate; a corner below ground may rise.
-      if (event.id === 'constraint-singular' && !(value > 0)) this.stop(event.id, event.message(0));
+      if (event.id === 'constraint-singular' && !(value > 0)) this.stop(event.id, event.message(time));
     });
   }
 
@@ -277,7 +292,6 @@ export class Simulation {
     }
     this.system.energy(q, v, dynamics.parameters, this.energies);
     this.energy = this.energies[0]! + this.energies[1]!;
-    if (time === 0) this.startEnergy = this.energy;
     this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
     const residual = this.rowProjection.residual(q, v);
     this.largestResidual = Math.max(this.largestResidual, residual);

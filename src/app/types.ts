@@ -105,7 +105,7 @@ export interface AppState {
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
-  /** Meshes the person dropped, by body; a missing half is the generated one. */
+  /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
 }
 

@@ -100,6 +100,15 @@ export interface SystemView {
   poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
   /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
   contacts: readonly TrackedContact[];
+  /** Points whose paths are drawn; the contacts' where it is absent. */
+  tracks?: readonly TrackedPoint[];
+}
+
+export interface TrackedPoint {
+  body: number;
+  part: 'board' | 'front' | 'back';
+  /** Name of the parameter that is the radius (m) of a wheel about the body's y: its lowest point leaves the path, not the origin. */
+  rim?: string;
 }
 
 export interface TrackedContact {

@@ -60,7 +60,7 @@ export function placeView(name: ViewName, block: Block, position: Triple, headin
   const right: Triple = [-y / level, x / level, 0];
   const up: Triple = [(-x * z) / (level * length), (-y * z) / (level * length), level / length];
   const reach = (axis: Triple): number => Math.abs(axis[0]) * half[0] + Math.abs(axis[1]) * half[1] + Math.abs(axis[2]) * half[2];
-  const distance = 0.8 * reach([x / length, y / length, z / length]) + fitDistance(view.margin[0] * reach(right), view.margin[1] * reach(up), aspect);
+  const distance = reach([x / length, y / length, z / length]) + fitDistance(view.margin[0] * reach(right), view.margin[1] * reach(up), aspect);
   const c = Math.cos(heading);
   const s = Math.sin(heading);
   const turn = ([a, b, h]: Triple): Triple => [c * a - s * b, s * a + c * b, h];

@@ -1,3 +1,4 @@
+import { batch } from '@preact/signals';
 import { modelsOf } from '../core/models/roster.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
@@ -73,8 +74,10 @@ export class FileOpener {
   private readScenario(name: string, text: string): void {
     parseScenario(text, this.context.metas);
     const scenario = JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile;
-    this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
-    this.context.state.draft.value = scenario;
+    batch(() => {
+      this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
+      this.context.state.draft.value = scenario;
+    });
     this.context.messages.add('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
     this.context.runDraft();
   }

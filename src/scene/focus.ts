@@ -6,8 +6,9 @@ import { type Block, headingOf, placeView, subjectOf, type Triple } from './view
 
 /** A cast that changed its size by more than this is looked at anew. */
 const GROWN = 1.25;
-/** Below this extent (m) strong lines of the grid are 0.1 m apart. */
-const SMALL = 0.55;
+/** What the strong lines of the grid may be apart (m), and how far for each metre that a view must hold. */
+const UNITS = [0.1, 0.2, 0.5, 1, 2, 5];
+const UNIT_PER_SIZE = 0.7;
 
 export class Focus {
   /** Of the subject (m), or the world's origin where the camera stays with the world. */
@@ -24,7 +25,7 @@ export class Focus {
   private readonly subject = new Vector3();
 
   get unit(): number {
-    return this.size < SMALL ? 0.1 : 1;
+    return UNITS.find((unit) => unit >= UNIT_PER_SIZE * this.size) ?? 10;
   }
 
   setCast(cast: Cast): void {

@@ -20,7 +20,7 @@ interface View {
 }
 
 const VIEWS: Readonly<Record<ViewName, View>> = {
-  orbit: { direction: [0.62, -1, 0.6], margin: [1.16, 1.3] },
+  orbit: { direction: [0.62, -1, 0.6], margin: [1.14, 1.14] },
   front: { direction: [1, 0, 0.14], margin: [1.5, 1.5] },
   // From the right, so that forward is to the right on the screen.
   side: { direction: [0, -1, 0.07], margin: [1.27, 1.4] },

@@ -35,7 +35,7 @@ export function spokedWheel(form: WheelForm): Part[] {
   const spoke = (k: number, thickness: number): Triangle[] => {
     const angle = (2 * Math.PI * k) / spokes;
     const reach = (radius: number): Vec3 => place(axle, radius * Math.cos(angle), radius * Math.sin(angle), 0);
-    return tube(reach(0.9 * core), reach(1.01 * inner), thickness, 10);
+    return tube(reach(0.9 * core), reach(1.01 * inner), thickness, 8);
   };
   const plain = Array.from({ length: spokes - 1 }, (_, k) => spoke(k + 1, spokeRadius)).flat();
   return [

@@ -28,11 +28,11 @@ export function casterRotation(p: Value): Sketch {
         parts: [
           { group: 'axis', material: 'steel', triangles: tube(at(-drop), at(top), thin, 12) },
           { group: 'axis', material: 'paint', triangles: tube(at(top), at(1.15 * top), 0.32 * size, 32) },
-          { group: 'pivot', material: 'ink', triangles: ball([0, 0, 0], 2.4 * thin, 20) },
-          ...(Math.abs(trail) > 1e-6 ? [{ group: 'circle', material: 'ink' as const, triangles: torus(along(axis, at(-drop)), Math.abs(trail), 0.45 * thin, 72) }] : []),
+          { group: 'pivot', material: 'accent', triangles: ball([0, 0, 0], 2.4 * thin, 20) },
+          ...(Math.abs(trail) > 1e-6 ? [{ group: 'circle', material: 'accent' as const, triangles: torus(along(axis, at(-drop)), Math.abs(trail), 0.45 * thin, 72) }] : []),
         ],
       },
     },
-    stage: { still: true, facing: 'world', floor: lowest, frame: [[-size - 0.4 * reach, -reach, lowest], [size, reach, 1.1 * top]] },
+    stage: { still: true, facing: 'world', floor: lowest, frame: [[-reach - 0.5 * Math.abs(drop), -reach, lowest], [0.6 * size, reach, 1.1 * top]] },
   };
 }

@@ -48,7 +48,7 @@ export function cartPendulum(p: Value): Sketch {
         ],
       },
     },
-    stage: { subject: 'cart', facing: 'world', floor: rail.floor, frame: [[-0.8 * length, -0.2 * length, -1.1 * length], [0.8 * length, 0.2 * length, 1.12 * length]] },
+    stage: { subject: 'cart', facing: 'world', floor: rail.floor, frame: [[-0.7 * length, -0.15 * length, -1.05 * length], [0.7 * length, 0.15 * length, 1.1 * length]] },
   };
 }
 
@@ -69,6 +69,6 @@ export function wheelPendulum(p: Value): Sketch {
       },
       pendulum: { about: PENDULUM, parts: pendulum(length, bob, beside) },
     },
-    stage: { subject: 'wheel', facing: 'world', frame: [[-1.3 * length, -0.2 * length, -radius], [1.3 * length, 0.2 * length, 1.1 * length]] },
+    stage: { subject: 'wheel', facing: 'world', frame: [[-0.75 * length, -0.15 * length, -radius], [0.75 * length, 0.15 * length, 1.1 * length]] },
   };
 }

@@ -11,6 +11,6 @@ export function rollingWheel(p: Value): Sketch {
         parts: spokedWheel({ radius, halfWidth: 0.06 * radius, spokes: 8, spokeRadius: 0.018 * radius }),
       },
     },
-    stage: { facing: 'axle', frame: [[-1.7 * radius, -1.7 * radius, -radius], [1.7 * radius, 1.7 * radius, 1.1 * radius]] },
+    stage: { facing: 'axle', frame: [[-1.4 * radius, -0.7 * radius, -radius], [1.4 * radius, 0.7 * radius, 1.1 * radius]] },
   };
 }

@@ -84,6 +84,8 @@ export interface ContactMeta {
 export interface SystemMeta {
   id: string;
   title: string;
+  /** Of the differential equations, 2 unless told otherwise; of order 1 the state is q alone, and there is no energy. */
+  order?: 1 | 2;
   coordinates: readonly CoordinateMeta[];
   parameters: readonly ParameterMeta[];
   parameterSets: Readonly<Record<string, Readonly<Record<string, number>>>>;

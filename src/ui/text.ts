@@ -58,7 +58,7 @@ export const text = {
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
-    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow the board'],
+    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow what moves'],
     ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

@@ -34,7 +34,7 @@ export const text = {
     energyChange: 'energy change', energyChangeTitle: 'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',
     residual: 'residual', residualTitle: 'Largest constraint residual so far', computing: (percent: number) => `computing ${percent} %`,
     ended: (reason: string) => `ended: ${reason}`, idle: 'not run yet', rows: 'rows', columns: 'columns', skipped: (n: number) => (n === 1 ? '1 line with a problem' : `${n} lines with problems`),
-    reasons: { end: 'complete', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed' } as Record<string, string>,
+    reasons: { end: 'complete', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed', retuned: 'controller changed' } as Record<string, string>,
   },
   file: {
     issues: (n: number) => (n === 1 ? '1 note on this file' : `${n} notes on this file`), clean: 'Every line was used.', more: (n: number) => `and ${n} more`,

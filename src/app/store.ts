@@ -6,6 +6,7 @@ import type { RunCounts } from '../core/simulation/simulation.ts';
 import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { Comparison } from './comparison.ts';
+import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
@@ -21,6 +22,7 @@ export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([
 export interface Workers {
   run(): Worker;
   csv(): Worker;
+  control(): Worker;
 }
 
 /** What the person's system asks of every page. */
@@ -75,6 +77,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     cases: caseInfos,
     samples,
     systemOf: (id) => systemViews[id],
+    control: new ControlClient(() => workers.control(), systemMetas),
   };
 }
 

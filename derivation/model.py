@@ -23,6 +23,8 @@ class Model:
     constraints: tuple = field(default_factory=tuple)
     # Forces kept out of h because they have singular points of their own: (name, n x 1).
     extra_forces: tuple = field(default_factory=tuple)
+    # Named intermediate results (symbol, expression), in order, that equations and constraints are written in.
+    definitions: tuple = field(default_factory=tuple)
 
 
 def coordinates(names: str):

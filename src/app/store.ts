@@ -1,5 +1,6 @@
-import { computed, signal } from '@preact/signals';
+import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
+import { hasCloseUp } from '../core/models/roster.ts';
 import { checkScenario, collectScenarioErrors } from '../core/scenario/schema.ts';
 import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import type { RunCounts } from '../core/simulation/simulation.ts';
@@ -38,6 +39,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
   const runs = new Runs(state, client, messages);
+  keepDrafts(state);
   const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
   runPlaybackClock(state, {
     start: () => state.motion.peek()?.trajectory.start ?? 0,
@@ -53,9 +55,21 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     loadCase(id) {
       const found = caseInfos.find((c) => c.id === id);
       if (!found) return;
-      state.origin.value = found;
-      state.draft.value = found.scenario;
+      batch(() => {
+        state.origin.value = found;
+        state.draft.value = found.scenario;
+      });
       runs.run();
+    },
+    chooseSystem(id) {
+      if (id === state.draft.peek().system || !systemViews[id]) return;
+      const left = state.drafts.peek().get(id);
+      const origin = left?.origin ?? caseInfos.find((c) => c.scenario.system === id) ?? blank(id);
+      batch(() => {
+        state.origin.value = origin;
+        state.draft.value = left?.draft ?? origin.scenario;
+      });
+      if (state.draftErrors.peek().size === 0) runs.run();
     },
     openFiles: (list) => void files.open(list),
     openSample: (id) => void files.openSample(id, samples),
@@ -76,6 +90,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     actions,
     cases: caseInfos,
     samples,
+    systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
     control: new ControlClient(() => workers.control(), systemMetas),
   };
@@ -83,10 +98,22 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
 
 const caseInfos: readonly CaseInfo[] = cases.map(({ id, title, look, scenario }) => ({ id, title, summary: look, scenario }));
 
+/** A system nobody has made a case for starts with everything at its default. */
+const blank = (id: string): CaseInfo => ({ id: '', title: systemMetas[id]!.title, summary: '', scenario: { version: 1, system: id } });
+
+/** What was last edited of each system stays, whatever takes the panel to another one. */
+function keepDrafts(state: AppState): void {
+  effect(() => {
+    const [draft, origin] = [state.draft.value, state.origin.value];
+    if (origin.scenario.system === draft.system) state.drafts.value = new Map(state.drafts.peek()).set(draft.system, { draft, origin });
+  });
+}
+
 function initialState(prefersDark: boolean): AppState {
   const draft = signal<ScenarioFile>(caseInfos[0]!.scenario);
   return {
     draft,
+    drafts: signal(new Map()),
     origin: signal(caseInfos[0]!),
     draftErrors: computed(() => collectScenarioErrors(draft.value, systemMetas)),
     motion: signal(null),
@@ -107,6 +134,12 @@ function initialState(prefersDark: boolean): AppState {
     pendingFile: signal(null),
     meshes: signal(new Map()),
   };
+}
+
+/** A close-up of what another system has not is no view. */
+function settleView(state: AppState): void {
+  const motion = state.motion.peek();
+  if (motion && state.view.peek() === 'caster' && !hasCloseUp(motion.system.meta.id)) state.view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {
@@ -168,6 +201,7 @@ class Runs {
     state.statistics.value = null;
     state.time.value = motion.trajectory.start;
     state.motion.value = { ...motion, id: this.nextMotion++ };
+    settleView(state);
     state.rowsVersion.value++;
     state.playing.value = true;
   }
@@ -237,6 +271,7 @@ class Runs {
     if (state.motion.peek()?.id === motion.id) return;
     state.time.value = 0;
     state.motion.value = motion;
+    settleView(state);
     state.playing.value = autoplay;
   }
 

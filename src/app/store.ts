@@ -5,6 +5,7 @@ import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
 import type { Comparison } from './comparison.ts';
+import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
@@ -21,6 +22,7 @@ export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([
 export interface Workers {
   run(): Worker;
   csv(): Worker;
+  control(): Worker;
 }
 
 /** What the person's system asks of every page. */
@@ -90,6 +92,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     samples,
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
+    control: new ControlClient(() => workers.control(), systemMetas),
   };
 }
 

@@ -1,6 +1,7 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Contender } from './comparison.ts';
+import type { ControlClient } from './controlClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -164,4 +165,6 @@ export interface App {
   samples: readonly SampleInfo[];
   systems: readonly { id: string; title: string }[];
   systemOf(id: string): SystemView | undefined;
+  /** Linearization and design, computed aside. */
+  control: ControlClient;
 }

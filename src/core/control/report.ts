@@ -15,6 +15,8 @@ export interface ControlReport {
   /** 2n x 2n and 2n x k, rows first. */
   A: number[][];
   B: number[][];
+  /** Orthonormal basis N of the deviations that the constraints allow, 2n x d. */
+  basis: number[][];
   /** On the tangent space of the constraints, neutral ones as exact zeros. */
   eigenvalues: Complex[];
   /** Modes that no input reaches, one entry per dimension. */
@@ -74,13 +76,14 @@ export function controlReport(scenario: Scenario, system: System): ControlReport
 type PlantPart = Omit<ControlReport, 'orders' | keyof ReturnType<typeof designReport>>;
 
 function plantReport(scenario: Scenario, plant: ReachablePlant & { modes: (Mode | UnreachableMode)[] }): PlantPart {
-  const { linearization: { motion, states, inputs, A, B, tangentA }, split, modes, byInput } = plant;
+  const { linearization: { motion, states, inputs, A, B, basis, tangentA }, split, modes, byInput } = plant;
   return {
     system: scenario.system,
     states,
     inputs,
     A: A.to2DArray(),
     B: B.to2DArray(),
+    basis: basis.to2DArray(),
     eigenvalues: eigenvalues(tangentA),
     uncontrollable: modes,
     point: { q: [...motion.q], v: [...motion.v], multipliers: [...motion.lambda], moving: motion.moving },

@@ -47,12 +47,19 @@ export function splitZeros(A: Matrix, scale = norm(A)): ZeroSplit {
   return { zero, rest, restA };
 }
 
-/** Eigenvalues, neutral ones as exact zeros, sorted by real part, then imaginary part. `scale` as in `splitZeros`. */
-export function eigenvalues(A: Matrix, scale?: number): Complex[] {
+/**
+ * Eigenvalues, sorted by real part, then imaginary part: zeros are exact, and so is the real part 0 of an undamped
+ * oscillation (to rounding of A). `scale` as in `splitZeros`.
+ */
+export function eigenvalues(A: Matrix, scale = norm(A)): Complex[] {
   if (A.rows === 0) return [];
   const { zero, restA } = splitZeros(A, scale);
   const zeros = Array.from({ length: zero.columns }, (): Complex => [0, 0]);
-  return [...zeros, ...plainEigenvalues(restA)].sort(byParts);
+  return [...zeros, ...plainEigenvalues(restA).map((value) => undamped(value, scale))].sort(byParts);
+}
+
+function undamped([re, im]: Complex, scale: number): Complex {
+  return [im !== 0 && Math.abs(re) <= ROUNDING * scale ? 0 : re, im];
 }
 
 /** Eigenvalues as computed (Hessenberg form and shifted QR). */
@@ -98,7 +105,7 @@ const VISIBLE = 0.01;
  * @param toStates states x d: what a vector of A's coordinates is in states (coordinates, then velocities)
  * @param scale as in `splitZeros`
  */
-export function modesOf(A: Matrix, toStates: Matrix, states: readonly string[], scale?: number): Mode[] {
+export function modesOf(A: Matrix, toStates: Matrix, states: readonly string[], scale = norm(A)): Mode[] {
   if (A.rows === 0) return [];
   const { zero, rest, restA } = splitZeros(A, scale);
   const modes: Mode[] = [];
@@ -109,7 +116,7 @@ export function modesOf(A: Matrix, toStates: Matrix, states: readonly string[], 
     const shape = atLargestPhase(toStates.mmul(re), toStates.mmul(im));
     // Rates are the eigenvalue times the coordinates: they say nothing more.
     const coordinates = shape.map((x, i) => (i < states.length / 2 ? x : 0));
-    modes.push({ eigenvalue: value, moves: movers(coordinates, states), shape });
+    modes.push({ eigenvalue: undamped(value, scale), moves: movers(coordinates, states), shape });
   }
   return modes.sort((a, b) => byParts(a.eigenvalue, b.eigenvalue));
 }

@@ -20,7 +20,7 @@ def pendulum(place: sp.Matrix, turned: sp.Expr, q: sp.Matrix, mass: sp.Expr, cen
     """A rod that hangs on a pivot in the X-Z plane: its body (origin at the centre of mass) and its pose (at the pivot)."""
     frame = Frame.world(q).turned("y", turned, q)
     pivot = Point(place, frame, sp.zeros(3, 1))
-    body = Body("pendulum", frame, pivot.moved(sp.eye(3), sp.Matrix([centre, 0, 0])), mass, sp.diag(0, inertia, inertia))
+    body = Body("pendulum", frame, pivot.moved(frame, sp.Matrix([centre, 0, 0])), mass, sp.diag(0, inertia, inertia))
     return body, Body("pendulum", frame, pivot, mass, body.inertia)
 
 

@@ -15,10 +15,12 @@ class Constraints:
     Omega: sp.Matrix
     heights: sp.Matrix
     height_rows: tuple
+    # Omega_dot v (m x 1) where it was derived with Omega; else it is found by differentiation.
+    gamma: sp.Matrix | None = None
 
     def rate(self, q: sp.Matrix, v: sp.Matrix) -> sp.Matrix:
         """gamma = Omega_dot v, so that Omega a + gamma = 0."""
-        return along(self.Omega * v, q, v)
+        return along(self.Omega * v, q, v) if self.gamma is None else self.gamma
 
 
 def velocity_row(direction: sp.Matrix, point, q: sp.Matrix) -> sp.Matrix:

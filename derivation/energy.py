@@ -9,11 +9,20 @@ from .rotations import Frame
 
 @dataclass(frozen=True)
 class Point:
-    """A point base + carrier.R * offset; the base is linear in q, the offset in carrier axes."""
+    """A point base + carrier.R * offset; the base is linear in q, the offset in carrier axes.
+
+    `arms` are the pieces that the offset is made of, each (frame, offset fixed in it), outwards from the carrier.
+    """
 
     base: sp.Matrix
     carrier: Frame
     offset: sp.Matrix
+    arms: tuple = ()
+
+    @staticmethod
+    def fixed(base: sp.Matrix, carrier: Frame, offset: sp.Matrix) -> "Point":
+        """A point at a constant offset in its carrier."""
+        return Point(base, carrier, offset, ((carrier, offset),))
 
     def position(self) -> sp.Matrix:
         return self.base + self.carrier.R * self.offset
@@ -29,9 +38,10 @@ class Point:
         """d(position)/dq in world axes (3 x n)."""
         return self.base.jacobian(q) + self.carrier.R * self.relative_jacobian(q)
 
-    def moved(self, frame_to_carrier: sp.Matrix, offset: sp.Matrix) -> "Point":
-        """Another point of the same carrier, `offset` given in axes that the matrix turns into carrier axes."""
-        return Point(self.base, self.carrier, self.offset + frame_to_carrier * offset)
+    def moved(self, frame: Frame, offset: sp.Matrix) -> "Point":
+        """Another point of the same carrier, further by a constant `offset` in a frame turned from the carrier."""
+        step = frame.relative_to(self.carrier) * offset
+        return Point(self.base, self.carrier, self.offset + step, (*self.arms, (frame, offset)))
 
 
 @dataclass(frozen=True)

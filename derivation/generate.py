@@ -32,17 +32,23 @@ def symmetric_targets(n):
     return {("M", i, j): sorted({i * n + j, j * n + i}) for i in range(n) for j in range(i + 1)}
 
 
-def mechanics(model, inputs, n):
+def mechanics_outputs(model, n):
     M, h = model.equations.M, model.equations.h
     outputs = {("M", i, j): M[i, j] for i in range(n) for j in range(i + 1)}
     outputs |= {("h", i): h[i] for i in range(n)}
     targets = {k: [("massMatrix", t) for t in ts] for k, ts in symmetric_targets(n).items()}
     targets |= {("h", i): [("h", i)] for i in range(n)}
+    return outputs, targets
+
+
+def mechanics(model, inputs, n):
+    M, h = model.equations.M, model.equations.h
+    outputs, targets = mechanics_outputs(model, n)
     text = function("mechanics", f"Mass matrix ({n} x {n}) and h ({n}) of M a = h.", ["q", "v", "p", "massMatrix", "h"],
-                    inputs, record(outputs), targets, {"massMatrix": n * n, "h": n})
+                    inputs, record(outputs, model.definitions), targets, {"massMatrix": n * n, "h": n})
     a = sp.symbols(f"a0:{n}", real=True)
     residual = M * sp.Matrix(a) - h
-    tape = record({("r", i): residual[i] for i in range(n)})
+    tape = record({("r", i): residual[i] for i in range(n)}, model.definitions)
     return [text, *jacobian("jacobians", "M a - h", tape, {"dq": model.q, "dv": model.v}, {"r": ("", n)},
                             ["q", "v", "a", "p"], inputs | {"a": list(a)}, n)]
 
@@ -90,8 +96,13 @@ def constraint_set(c: Constraints, model, inputs, n):
     outputs |= {("g", i): gamma[i] for i in range(m)}
     targets = {("O", i, j): [("omega", i * n + j)] for i in range(m) for j in range(n)}
     targets |= {("g", i): [("gamma", i)] for i in range(m)}
+    together_outputs, together_targets = mechanics_outputs(model, n)
+    together = function(f"{name}Dynamics", f"`mechanics` and `{name}Constraints` at once, for less than both.",
+                        ["q", "v", "p", "massMatrix", "h", "omega", "gamma"], inputs,
+                        record(together_outputs | outputs, model.definitions), together_targets | targets,
+                        {"massMatrix": n * n, "h": n, "omega": m * n, "gamma": m})
     evaluate = function(f"{name}Constraints", f"Omega ({m} x {n}) and gamma = Omega_dot v ({m}).",
-                        ["q", "v", "p", "omega", "gamma"], inputs, record(outputs), targets,
+                        ["q", "v", "p", "omega", "gamma"], inputs, record(outputs, model.definitions), targets,
                         {"omega": m * n, "gamma": m})
     heights = [function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p", "out"],
                        inputs, record({i: h for i, h in enumerate(c.heights)}),
@@ -100,9 +111,9 @@ def constraint_set(c: Constraints, model, inputs, n):
     a, lam = sp.symbols(f"a0:{n}", real=True), sp.symbols(f"lambda0:{m}", real=True)
     force, rate, velocity = c.Omega.T * sp.Matrix(lam), c.Omega * sp.Matrix(a) + gamma, c.Omega * v
     tape = record({("force", i): force[i] for i in range(n)} | {("velocity", i): velocity[i] for i in range(m)}
-                  | {("rate", i): rate[i] for i in range(m)})
+                  | {("rate", i): rate[i] for i in range(m)}, model.definitions)
     kinds = {"force": ("force", n), "rate": ("rate", m), "velocity": ("velocity", m)}
-    return [evaluate, *(heights if len(c.heights) > 0 else []),
+    return [evaluate, together, *(heights if len(c.heights) > 0 else []),
             *jacobian(f"{name}Jacobians", "Omega^T lambda, Omega a + gamma and Omega v", tape, {"Q": q, "V": v}, kinds,
                       ["q", "v", "a", "lambda", "p"], inputs | {"a": list(a), "lambda": list(lam)}, n,
                       keep=("forceQ", "rateQ", "rateV", "velocityQ"))]

@@ -25,6 +25,8 @@ class Model:
     extra_forces: tuple = field(default_factory=tuple)
     # f of a system of first order q' = f(q); its equations are then those of the rate, see `of_first_order`.
     rate: sp.Matrix | None = None
+    # Named intermediate results (symbol, expression), in order, that equations and constraints are written in.
+    definitions: tuple = field(default_factory=tuple)
 
 
 def coordinates(names: str):

@@ -1,12 +1,16 @@
 """The RipStik: torsion rod, two plates, two inclined casters that touch the ground like skates."""
 
+from dataclasses import dataclass
+
 import sympy as sp
 
+from . import recursion
 from .constraints import Constraints, velocity_row
 from .energy import Body, Point, kinetic, potential
-from .euler_lagrange import Equations, from_bodies
+from .euler_lagrange import Equations
 from .model import Model, coordinates
-from .rotations import Frame, rotation
+from .recursion import Names, Tree
+from .rotations import Frame
 
 q, v = coordinates("X Y Z alpha psi theta alpha_fp alpha_bp theta_fc theta_bc")
 X, Y, Z, alpha, psi, theta, alpha_fp, alpha_bp, theta_fc, theta_bc = q
@@ -32,64 +36,107 @@ def disc_about_y(m, radius):
     return m * radius**2 * sp.diag(sp.Rational(1, 4), sp.Rational(1, 2), sp.Rational(1, 4))
 
 
-def half(name, side, roll, steer, pitched):
-    """Plate and caster on one side (+1 front, -1 back); `roll` is the plate's own, `steer` the caster's.
+@dataclass(frozen=True)
+class Board:
+    """The five bodies over coordinates in which each plate has the given roll about the rod's axis."""
 
-    Everything hangs on the pitched frame, which the rod's roll does not turn: the plate's own
-    roll alpha + alpha_fp appears as one angle, and offsets stay short.
-    """
+    bodies: tuple
+    pitched: Frame
+    skates: tuple  # (skate point, caster frame), front and back
+
+
+def board(q: sp.Matrix, roll_front, roll_back) -> Board:
+    """Everything hangs on the pitched frame, which the rod's roll does not turn, so that offsets stay short."""
     origin = sp.Matrix([X, Y, Z])
-    plate_frame = pitched.turned("x", roll, q)
-    caster_frame = plate_frame.turned("y", p["casterAngle"], q).turned("z", steer, q)
-    plate_axes = rotation("x", roll)
-    caster_axes = plate_axes * rotation("y", p["casterAngle"]) * rotation("z", steer)
+    pitched = Frame.world(q).turned("z", theta, q).turned("y", psi, q)
+    rod = Body("rod", pitched.turned("x", alpha, q), Point.fixed(origin, pitched, sp.zeros(3, 1)),
+               p["rodMass"], cylinder_along_x(p["rodMass"], p["rodLength"], p["rodRadius"]))
 
-    centre = Point(origin, pitched, sp.Matrix([side * p["plateOffset"], 0, 0]))
-    pivot = centre.moved(plate_axes, sp.Matrix([0, 0, -p["pivotDrop"]]))
-    skate = pivot.moved(caster_axes, sp.Matrix([-p["casterTrail"], 0, -p["casterDrop"]]))
-    plate = Body(f"{name}-plate", plate_frame, centre, p["plateMass"],
-                 prism(p["plateMass"], p["plateLength"], p["plateWidth"], p["plateThickness"]))
-    caster = Body(f"{name}-caster", caster_frame, skate, p["casterMass"],
-                  disc_about_y(p["casterMass"], p["wheelRadius"]))
-    return plate, caster, caster_axes * sp.Matrix([0, 1, 0])
+    def half(name, side, roll, steer):
+        """Plate and caster on one side (+1 front, -1 back); `roll` is the plate's own, `steer` the caster's."""
+        plate_frame = pitched.turned("x", roll, q)
+        caster_frame = plate_frame.turned("y", p["casterAngle"], q).turned("z", steer, q)
+        centre = Point.fixed(origin, pitched, sp.Matrix([side * p["plateOffset"], 0, 0]))
+        pivot = centre.moved(plate_frame, sp.Matrix([0, 0, -p["pivotDrop"]]))
+        skate = pivot.moved(caster_frame, sp.Matrix([-p["casterTrail"], 0, -p["casterDrop"]]))
+        plate = Body(f"{name}-plate", plate_frame, centre, p["plateMass"],
+                     prism(p["plateMass"], p["plateLength"], p["plateWidth"], p["plateThickness"]))
+        caster = Body(f"{name}-caster", caster_frame, skate, p["casterMass"],
+                      disc_about_y(p["casterMass"], p["wheelRadius"]))
+        return plate, caster
+
+    front_plate, front_caster = half("front", 1, roll_front, theta_fc)
+    back_plate, back_caster = half("back", -1, roll_back, theta_bc)
+    return Board((rod, front_plate, back_plate, front_caster, back_caster), pitched,
+                 tuple((caster.centre, caster.frame) for caster in (front_caster, back_caster)))
+
+
+AXLE = sp.Matrix([0, 1, 0])
 
 
 def model() -> Model:
-    pitched = Frame.world(q).turned("z", theta, q).turned("y", psi, q)
-    rod = Body("rod", pitched.turned("x", alpha, q), Point(sp.Matrix([X, Y, Z]), pitched, sp.zeros(3, 1)),
-               p["rodMass"], cylinder_along_x(p["rodMass"], p["rodLength"], p["rodRadius"]))
-    front_plate, front_caster, front_axle = half("front", 1, alpha + alpha_fp, theta_fc, pitched)
-    back_plate, back_caster, back_axle = half("back", -1, alpha + alpha_bp, theta_bc, pitched)
-    bodies = (rod, front_plate, back_plate, front_caster, back_caster)
-
-    twist, twist_dot = alpha_fp - alpha_bp, v[6] - v[7]
-    V = potential(bodies, p["gravity"]) + p["torsionStiffness"] * twist**2 / 2
-    equations = from_bodies(bodies, V, q, v)
-    losses = sp.zeros(10, 1)
-    losses[6] = -p["torsionDamping"] * twist_dot - p["jointDamping"] * v[6]
-    losses[7] = p["torsionDamping"] * twist_dot - p["jointDamping"] * v[7]
-    losses[8] = -p["casterDamping"] * v[8]
-    losses[9] = -p["casterDamping"] * v[9]
-
-    skates = ((front_caster.centre, front_axle), (back_caster.centre, back_axle))
-    up = pitched.R.T * sp.Matrix([0, 0, 1])
-    across = pitched.R.T * sp.Matrix([0, 1, 0])
-    vertical = [velocity_row(up, point, q) for point, _ in skates]
+    described = board(q, alpha + alpha_fp, alpha + alpha_bp)
+    V = potential(described.bodies, p["gravity"]) + p["torsionStiffness"] * (alpha_fp - alpha_bp)**2 / 2
+    names = Names()
+    equations, rolling, report = hot_path(names)
+    skates = [(point, frame.relative_to(described.pitched) * AXLE) for point, frame in described.skates]
     heights = sp.Matrix([point.position()[2] for point, _ in skates])
-    lateral = [velocity_row(axle, point, q) for point, axle in skates]
-    world_y = [velocity_row(across, point, q) for point, _ in skates]
-
-    def rows(sideways):
-        return sp.Matrix.vstack(sideways[0], vertical[0], sideways[1], vertical[1])
-
     return Model(
         id="ripstik", title="the RipStik", q=q, v=v, parameters=tuple(p.values()),
-        equations=Equations(equations.M, equations.h + losses),
-        kinetic=kinetic(bodies, q, v), potential=V, bodies=bodies,
-        constraints=(Constraints("rolling", rows(lateral), heights, (1, 3)),
-                     Constraints("report", rows(world_y), heights, (1, 3))),
-        extra_forces=(("wheelDrag", wheel_drag(skates, pitched)),),
+        equations=equations, kinetic=kinetic(described.bodies, q, v), potential=V, bodies=described.bodies,
+        constraints=(Constraints("rolling", rolling[0], heights, (1, 3), rolling[1]),
+                     Constraints("report", report[0], heights, (1, 3), report[1])),
+        extra_forces=(("wheelDrag", wheel_drag(skates, described.pitched)),),
+        definitions=tuple(names.definitions),
     )
+
+
+def hot_path(names):
+    """M, h and both constraint sets, derived in plates' own rolls phi = alpha + alpha_fp, alpha + alpha_bp.
+
+    With q' = T q the columns of alpha are sums of others, so that nothing of a plate is computed twice:
+    M = T^T M' T, h = T^T h', Omega = Omega' T.
+    """
+    rolls = [names.let("phi", alpha + alpha_fp), names.let("phi", alpha + alpha_bp)]
+    rates = [names.let("phi_dot", v[3] + v[6]), names.let("phi_dot", v[3] + v[7])]
+    own, own_rates = q.copy(), v.copy()
+    own[6:8, 0], own_rates[6:8, 0] = sp.Matrix(rolls), sp.Matrix(rates)
+    T = sp.eye(10)
+    T[6, 3] = T[7, 3] = 1
+
+    b = board(own, *rolls)
+    tree = Tree(own, own_rates, names)
+    free = recursion.equations(tree, b.bodies, p["gravity"])
+    h = T.T * names.let("h", free.h) + springs_and_losses()
+    up, across = (tree.carrier(b.pitched).T * sp.Matrix(e) for e in ([0, 0, 1], [0, 1, 0]))
+    vertical = [recursion.row(tree, up, point) for point, _ in b.skates]
+    world_y = [recursion.row(tree, across, point) for point, _ in b.skates]
+    lateral = [recursion.row(tree, outwards(tree, frame, b.pitched), point, (frame, AXLE)) for point, frame in b.skates]
+
+    def rows(sideways):
+        four = (sideways[0], vertical[0], sideways[1], vertical[1])
+        return sp.Matrix.vstack(*[names.let("O", r) for r, _ in four]) * T, sp.Matrix([gamma for _, gamma in four])
+
+    return Equations(T.T * names.let("M", free.M) * T, h), rows(lateral), rows(world_y)
+
+
+def outwards(tree, frame, carrier):
+    """The axle in carrier axes."""
+    axle = AXLE
+    while frame is not carrier:
+        axle, frame = tree.names.let("a", tree.up(frame, axle)), frame.parent
+    return axle
+
+
+def springs_and_losses() -> sp.Matrix:
+    twist, twist_dot = alpha_fp - alpha_bp, v[6] - v[7]
+    torque = p["torsionStiffness"] * twist + p["torsionDamping"] * twist_dot
+    force = sp.zeros(10, 1)
+    force[6] = -torque - p["jointDamping"] * v[6]
+    force[7] = torque - p["jointDamping"] * v[7]
+    force[8] = -p["casterDamping"] * v[8]
+    force[9] = -p["casterDamping"] * v[9]
+    return force
 
 
 def wheel_drag(skates, pitched) -> sp.Matrix:

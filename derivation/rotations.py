@@ -25,10 +25,16 @@ def rotation(axis: str, angle: sp.Expr) -> sp.Matrix:
 
 @dataclass(frozen=True)
 class Frame:
-    """Axes fixed in a body: `R` own axes to world, `W` with omega = W q_dot in own axes (3 x n)."""
+    """Axes fixed in a body: `R` own axes to world, `W` with omega = W q_dot in own axes (3 x n).
+
+    `parent`, `axis` and `angle` tell how it was turned; the world has none.
+    """
 
     R: sp.Matrix
     W: sp.Matrix
+    parent: "Frame | None" = None
+    axis: str | None = None
+    angle: sp.Expr | None = None
 
     @staticmethod
     def world(q: sp.Matrix) -> "Frame":
@@ -38,4 +44,10 @@ class Frame:
         """This frame turned about its own axis by an angle that may depend on q."""
         step = rotation(axis, angle)
         own = AXES[axis] * sp.Matrix([angle]).jacobian(q)
-        return Frame(self.R * step, step.T * self.W + own)
+        return Frame(self.R * step, step.T * self.W + own, self, axis, angle)
+
+    def relative_to(self, other: "Frame") -> sp.Matrix:
+        """Own axes to those of a frame that this one was turned from."""
+        if self is other:
+            return sp.eye(3)
+        return self.parent.relative_to(other) * rotation(self.axis, self.angle)

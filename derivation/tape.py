@@ -36,11 +36,34 @@ class Tape:
         return sum(int(sp.count_ops(e)) for _, e in self.steps) + sum(int(sp.count_ops(e)) for e in self.outputs.values())
 
 
-def record(outputs: dict, prefix: str = "x") -> Tape:
-    """Common-subexpression tape of named scalar expressions; zero outputs are left out."""
+def record(outputs: dict, definitions=(), prefix: str = "x") -> Tape:
+    """Common-subexpression tape of named scalar expressions; zero outputs are left out.
+
+    definitions: [(symbol, expression)], in order, that the outputs are written in.
+    """
     named = {name: sp.sympify(e) for name, e in outputs.items() if sp.sympify(e) != 0}
-    steps, reduced = sp.cse(list(named.values()), symbols=sp.numbered_symbols(prefix), order="canonical")
-    return Tape(list(steps), dict(zip(named, reduced))).pruned()
+    given = Tape(list(definitions), named).pruned().steps
+    steps, reduced = sp.cse([e for _, e in given] + list(named.values()), symbols=sp.numbered_symbols(prefix), order="canonical")
+    defined = [(symbol, e) for (symbol, _), e in zip(given, reduced)]
+    return Tape(_ordered([*steps, *defined]), dict(zip(named, reduced[len(given):]))).pruned()
+
+
+def _ordered(steps):
+    """Each step after those it needs; otherwise as given."""
+    waiting = dict(steps)
+    done = []
+
+    def visit(symbol):
+        expression = waiting.pop(symbol)
+        for needed in sorted(expression.free_symbols & waiting.keys(), key=lambda s: s.name):
+            if needed in waiting:
+                visit(needed)
+        done.append((symbol, expression))
+
+    for symbol, _ in steps:
+        if symbol in waiting:
+            visit(symbol)
+    return done
 
 
 class _Dual:

@@ -1,12 +1,9 @@
-import { effect, type Signal } from '@preact/signals';
+import { effect, signal, type Signal } from '@preact/signals';
 import type { Stage } from './app/stage.ts';
 import type { App, Motion } from './app/types.ts';
-import type { BodyModel, CasterGeometry, MeshPair, SceneView } from './scene/contract.ts';
-
-/** Which mesh a body wears: both casters wear one. */
-const MESH_OF: Readonly<Record<string, string>> = { 'front-caster': 'caster', 'back-caster': 'caster' };
-/** Parameters that shape the meshes; when one differs from its default they are made anew instead of loaded. */
-const SHAPING = ['rodLength', 'rodRadius', 'plateLength', 'plateWidth', 'plateThickness', 'plateOffset', 'pivotDrop', 'casterAngle', 'casterTrail', 'casterDrop', 'wheelRadius'];
+import { boardBodies, boardShape, boardStage } from './core/models/board.ts';
+import type { Drawing } from './core/models/drawing.ts';
+import type { MeshPair, SceneView } from './scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
 export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: Stage, problem: Signal<string | null>): Promise<void> {
@@ -32,11 +29,12 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
   effect(() => view.setSwitches({ trails: state.showTrails.value, forces: state.showForces.value }));
   effect(() => view.setFollow(state.follow.value));
   effect(() => view.setView(state.view.value));
-  dress(app, view);
+  const dressed = dress(app, view);
   effect(() => {
     const sampler = stage.sampler.value;
     const motion = state.motion.value;
-    if (!sampler || !motion) return;
+    // Until the meshes of another system are there, the last picture of the one before stays.
+    if (!sampler || !motion || dressed.value.system !== motion.system.meta.id) return;
     const time = state.time.value;
     // A pause at the newest row of a growing run must redraw when rows come.
     void state.rowsVersion.value;
@@ -51,8 +49,9 @@ function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
   view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio);
 }
 
-/** Meshes follow the motion's proportions and the person's own files. */
-function dress(app: App, view: SceneView): void {
+/** Meshes follow the motion's proportions and the person's own files. Says whose are on the stage; a new object with every change. */
+function dress(app: App, view: SceneView): Signal<{ system: string | null }> {
+  const dressed = signal<{ system: string | null }>({ system: null });
   let wearing = '';
   let turn = 0;
   /** The person's files that last fitted; a bad one gives way to them. */
@@ -61,16 +60,20 @@ function dress(app: App, view: SceneView): void {
     const motion = app.state.motion.value;
     const own = app.state.meshes.value;
     if (!motion) return;
-    const key = JSON.stringify([motion.system.meta.id, SHAPING.map((name) => motion.parameters[name]), [...own]]);
+    const { id } = motion.system.meta;
+    const shape = id === 'ripstik' ? boardShape.map((name) => motion.parameters[name]) : motion.parameters;
+    const key = JSON.stringify([id, shape, [...own]]);
     if (key === wearing) return;
     wearing = key;
     const now = ++turn;
-    void pairsOf(motion, own).then(
-      (pairs) => {
+    void drawingFor(motion).then(
+      ({ pairs, bodies, fixtures, stage }) => {
         if (now !== turn) return;
         try {
-          view.setModels(pairs, geometryOf(motion), bodiesOf(motion));
+          const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
+          view.setModels(Object.fromEntries(worn) as Record<string, MeshPair>, { id, bodies, fixtures, stage });
           good = own;
+          dressed.value = { system: id };
         } catch (error) {
           app.state.meshes.value = good;
           app.actions.report('error', 'The mesh could not be shown', [(error as Error).message, 'The bodies on the stage are as before.']);
@@ -79,34 +82,22 @@ function dress(app: App, view: SceneView): void {
       (error: unknown) => app.actions.report('error', 'The meshes could not be loaded', [String(error)]),
     );
   });
+  return dressed;
 }
 
-const bodiesOf = (motion: Motion): BodyModel[] => motion.system.meta.bodies.map(({ id, part }) => ({ id, part, model: MESH_OF[id] ?? id }));
-
-function geometryOf({ parameters }: Motion): CasterGeometry {
-  const of = (name: string): number => parameters[name] ?? 0;
-  return { casterAngle: of('casterAngle'), wheelRadius: of('wheelRadius'), casterTrail: of('casterTrail'), casterDrop: of('casterDrop') };
+/** The board in its default proportions wears the shipped files; everything else is drawn from its parameters. */
+async function drawingFor({ system: { meta }, parameters }: Motion): Promise<Drawing> {
+  const standard = meta.id === 'ripstik' && boardShape.every((name) => parameters[name] === meta.parameters.find((p) => p.name === name)?.default);
+  if (!standard) return (await import('./core/models/drawings.ts')).drawingOf(meta, parameters);
+  const bodies = boardBodies(parameters);
+  return { pairs: await loadModels([...new Set(bodies.map(({ model }) => model))]), bodies, fixtures: [], stage: boardStage };
 }
 
-/** The mesh pairs by name: the shipped files for the default proportions, made anew for others, and the person's own on top. */
-async function pairsOf(motion: Motion, own: ReadonlyMap<string, Partial<MeshPair>>): Promise<Record<string, MeshPair>> {
-  const { meta } = motion.system;
-  const isDefault = SHAPING.every((name) => motion.parameters[name] === meta.parameters.find((p) => p.name === name)?.default);
-  const names = [...new Set(bodiesOf(motion).map((b) => b.model))];
-  const pairs = isDefault ? await loadModels(names) : await makeModels(motion.parameters);
-  return Object.fromEntries(names.map((name) => [name, { ...pairs.get(name)!, ...own.get(name) }]));
-}
-
-async function loadModels(names: readonly string[]): Promise<Map<string, MeshPair>> {
+async function loadModels(names: readonly string[]): Promise<Record<string, MeshPair>> {
   const text = async (file: string): Promise<string> => {
     const response = await fetch(`models/${file}`);
     if (!response.ok) throw new Error(`models/${file}: the server answered ${response.status}`);
     return response.text();
   };
-  return new Map(await Promise.all(names.map(async (name) => [name, { mdl: await text(`${name}.mdl`), mat: await text(`${name}.mat`) }] as const)));
-}
-
-async function makeModels(parameters: Readonly<Record<string, number>>): Promise<Map<string, MeshPair>> {
-  const { generateModels } = await import('./core/models/index.ts');
-  return new Map(Object.entries(generateModels(parameters)));
+  return Object.fromEntries(await Promise.all(names.map(async (name) => [name, { mdl: await text(`${name}.mdl`), mat: await text(`${name}.mat`) }] as const)));
 }

@@ -1,3 +1,5 @@
+import { batch } from '@preact/signals';
+import { modelsOf } from '../core/models/roster.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { systemViews } from '../core/systems/views.ts';
@@ -20,9 +22,6 @@ interface Context {
 
 /** Larger files are refused by name and size: text of this length is the most a browser string comfortably holds. */
 const LARGEST_FILE = 400e6;
-
-/** Bodies whose mesh can be replaced by a dropped pair. */
-const MESH_NAMES = ['rod', 'front-plate', 'back-plate', 'caster'];
 
 /** Opens dropped and chosen files; whatever is wrong with one leaves what is on the stage untouched. */
 export class FileOpener {
@@ -75,8 +74,10 @@ export class FileOpener {
   private readScenario(name: string, text: string): void {
     parseScenario(text, this.context.metas);
     const scenario = JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile;
-    this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
-    this.context.state.draft.value = scenario;
+    batch(() => {
+      this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
+      this.context.state.draft.value = scenario;
+    });
     this.context.messages.add('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
     this.context.runDraft();
   }
@@ -101,7 +102,7 @@ export class FileOpener {
     const system = systemViews[result.systemId]!;
     const trajectory = new Trajectory(result.columns, Math.max(1, result.rows));
     trajectory.append(result.data, result.rows);
-    const draftParameters = state.motion.peek()?.parameters;
+    const shown = state.motion.peek();
     const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
     const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));
     this.context.show({
@@ -109,7 +110,7 @@ export class FileOpener {
       title: name,
       system,
       // A file that names its scenario is drawn with its proportions; another with those on the stage.
-      parameters: scenario?.parameters ?? draftParameters ?? defaults,
+      parameters: scenario?.parameters ?? (shown?.system === system ? shown.parameters : defaults),
       trajectory,
       constraints: scenario?.constraints ?? null,
       scenario,
@@ -131,13 +132,16 @@ export class FileOpener {
   private async openMeshes(files: readonly File[]): Promise<void> {
     const { state } = this.context;
     const next = new Map(state.meshes.peek());
+    const meta = state.motion.peek()?.system.meta ?? this.context.metas[state.draft.peek().system]!;
+    const names = modelsOf(meta);
     for (const file of files) {
       const [, base = '', ending = ''] = /^(.*)\.(mdl|mat)$/i.exec(file.name.toLowerCase()) ?? [];
-      if (!MESH_NAMES.includes(base)) {
-        this.fail(file.name, [`no body has that name; right would be ${MESH_NAMES.map((n) => `${n}.mdl with ${n}.mat`).join(', ')}`]);
+      if (!names.includes(base)) {
+        this.fail(file.name, [`no body of ${meta.title} has that name; right would be ${names.map((n) => `${n}.mdl with ${n}.mat`).join(', ')}`]);
         continue;
       }
-      next.set(base, { ...next.get(base), [ending === 'mdl' ? 'mdl' : 'mat']: await file.text() });
+      const key = `${meta.id}/${base}`;
+      next.set(key, { ...next.get(key), [ending === 'mdl' ? 'mdl' : 'mat']: await file.text() });
     }
     state.meshes.value = next;
   }

@@ -1,6 +1,6 @@
 import type { StartAdjustment } from '../core/dynamics/consistentStart.ts';
 import type { Scenario } from '../core/scenario/types.ts';
-import type { RunCounts, RunEnd } from '../core/simulation/simulation.ts';
+import type { Continuation, RunCounts, RunEnd } from '../core/simulation/simulation.ts';
 import type { FromWorker, ToWorker } from '../worker/protocol.ts';
 
 export interface RunHandlers {
@@ -21,10 +21,11 @@ export class RunClient {
     this.create = create;
   }
 
-  start(scenario: Scenario, handlers: RunHandlers): void {
+  /** @param from a row to go on from, in place of a start at t = 0 */
+  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation): void {
     this.handlers = handlers;
     this.run++;
-    this.send({ type: 'start', run: this.run, scenario });
+    this.send({ type: 'start', run: this.run, scenario, from });
   }
 
   /** Asks the current run to stop; its `ended` follows with reason `cancelled`. */

@@ -1,4 +1,5 @@
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
+import type { SystemMeta } from '../core/systems/types.ts';
 import { MotionSampler } from '../core/trajectory/motionSampler.ts';
 import type { App } from './types.ts';
 
@@ -10,6 +11,21 @@ export interface Stage {
 }
 
 const DEGREE = Math.PI / 180;
+
+function boardInWords(t: number, at: (name: string) => number): string {
+  const lean = at('alpha') / DEGREE;
+  const heading = at('theta') / DEGREE;
+  return (
+    `Board at ${t.toFixed(1)} s: position ${at('X').toFixed(2)}, ${at('Y').toFixed(2)} m, heading ${heading.toFixed(0)}°, ` +
+    `front plate roll ${(lean + at('alpha_fp') / DEGREE).toFixed(0)}°, back plate roll ${(lean + at('alpha_bp') / DEGREE).toFixed(0)}°.`
+  );
+}
+
+/** Every coordinate by its plain name. */
+function inWords(meta: SystemMeta, t: number, at: (name: string) => number): string {
+  const values = meta.coordinates.map(({ name, label, kind }) => `${label} ${kind === 'angle' ? `${(at(name) / DEGREE).toFixed(0)}°` : `${at(name).toFixed(2)} m`}`);
+  return `${meta.title} at ${t.toFixed(1)} s: ${values.join(', ')}.`;
+}
 
 export function stageOf(app: App): Stage {
   const { state } = app;
@@ -30,12 +46,7 @@ export function stageOf(app: App): Stage {
     if (!motion || !now || motion.trajectory.length === 0) return;
     const t = state.time.peek();
     const at = (name: string): number => now.interpolated(name, t) ?? 0;
-    const lean = at('alpha') / DEGREE;
-    const heading = at('theta') / DEGREE;
-    const text = motion.trajectory.has('alpha_fp')
-      ? `Board at ${t.toFixed(1)} s: position ${at('X').toFixed(2)}, ${at('Y').toFixed(2)} m, heading ${heading.toFixed(0)}°, ` +
-        `front plate roll ${(lean + at('alpha_fp') / DEGREE).toFixed(0)}°, back plate roll ${(lean + at('alpha_bp') / DEGREE).toFixed(0)}°.`
-      : `${motion.title} at ${t.toFixed(1)} s.`;
+    const text = motion.system.meta.id === 'ripstik' ? boardInWords(t, at) : inWords(motion.system.meta, t, at);
     if (text !== description.peek()) description.value = text;
   };
   setInterval(describe, 1000);

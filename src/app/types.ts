@@ -1,6 +1,7 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Contender } from './comparison.ts';
+import type { ControlClient } from './controlClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -79,6 +80,8 @@ export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
 export interface AppState {
   // --- the experiment being edited
   draft: Signal<ScenarioFile>;
+  /** The draft last edited of each system, and what it came from. */
+  drafts: Signal<ReadonlyMap<string, { draft: ScenarioFile; origin: CaseInfo }>>;
   /** What the draft came from: a built-in case, or an opened scenario file. `reset` goes back to it. */
   origin: Signal<CaseInfo>;
   /** The error of each draft key that is not right, by path; empty when the draft can run. */
@@ -105,7 +108,7 @@ export interface AppState {
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
-  /** Meshes the person dropped, by body; a missing half is the generated one. */
+  /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
 }
 
@@ -113,10 +116,14 @@ export interface AppActions {
   /** First run of a visit: plays by itself unless the person asks for less motion. */
   open(): void;
   run(): void;
+  /** The motion being watched goes on from the playback time with the draft's controller and inputs. */
+  retune(): void;
   cancel(): void;
   /** Back to the case the draft came from. */
   reset(): void;
   loadCase(id: string): void;
+  /** To another system: back to the draft that was left there, else to its first case. */
+  chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
@@ -156,5 +163,8 @@ export interface App {
   actions: AppActions;
   cases: readonly CaseInfo[];
   samples: readonly SampleInfo[];
+  systems: readonly { id: string; title: string }[];
   systemOf(id: string): SystemView | undefined;
+  /** Linearization and design, computed aside. */
+  control: ControlClient;
 }

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { StartError } from '../core/dynamics/consistentStart.ts';
 import { cases } from '../core/cases/cases.ts';
+import { controlReport } from '../core/control/report.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/registry.ts';
@@ -11,6 +12,7 @@ import { UsageError, pathOf } from './usage.ts';
 const USAGE = `Usage:
   npm run --silent ripstik -- simulate SCENARIO.json --out RUN.csv   run a scenario (without --out: CSV on standard output)
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
+  npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
@@ -61,6 +63,11 @@ function main(args: readonly string[]): number {
       print(point(scenario, systems[scenario.system]!));
       return 0;
     }
+    case 'linearize': {
+      const scenario = readScenario(rest[0]);
+      print(controlReport(scenario, systems[scenario.system]!));
+      return 0;
+    }
     case 'cases':
       listCases(rest[0]);
       return 0;
@@ -69,7 +76,7 @@ function main(args: readonly string[]): number {
       process.stdout.write(`${USAGE}\n`);
       return command === undefined ? 2 : 0;
     default:
-      throw new UsageError(`no command "${command}"; there are simulate, point and cases`);
+      throw new UsageError(`no command "${command}"; there are simulate, point, linearize and cases`);
   }
 }
 

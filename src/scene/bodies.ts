@@ -6,22 +6,13 @@ import {
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
-import type { BodyModel, CasterGeometry, MeshPair } from './contract.ts';
+import type { BodyModel, MeshPair } from './contract.ts';
 import { dress, surfaceFrom } from './materials.ts';
 import { checkMaterials, checkMesh, MeshError } from './meshText.ts';
 import type { Palette } from './palette.ts';
 
 /** Edges sharper than this (rad) stay edges where the file gives no normals. */
 const CREASE = 0.6;
-
-/** The board's bodies in the order of its poses; both casters are drawn from one pair. */
-export const boardBodies: readonly BodyModel[] = [
-  { id: 'rod', part: 'board', model: 'rod' },
-  { id: 'front-plate', part: 'front', model: 'front-plate' },
-  { id: 'back-plate', part: 'back', model: 'back-plate' },
-  { id: 'front-caster', part: 'front', model: 'caster' },
-  { id: 'back-caster', part: 'back', model: 'caster' },
-];
 
 /** One pair as a group in the body's own frame (m). Throws `MeshError`; never touches the network. */
 export function parsePair(pair: MeshPair, name: string): GroupType {
@@ -47,7 +38,7 @@ interface Drawn {
   model: BodyModel;
   /** Moves with the pose. */
   root: GroupType;
-  /** Spins about the hub's y axis; null on a body without a wheel. */
+  /** Spins about the hub's y axis; null on a body without a wheel of its own. */
   wheel: GroupType | null;
   surfaces: MeshStandardMaterial[];
   /** Bounds in the body's frame. */
@@ -57,7 +48,8 @@ interface Drawn {
 export class Bodies {
   private readonly scene: Scene;
   private drawn: Drawn[] = [];
-  private geometry: CasterGeometry | null = null;
+  /** What stands still, in world axes. */
+  private fixtures: Drawn[] = [];
   private readonly hidden = new Set<number>();
   private palette: Palette;
   private environment = false;
@@ -75,27 +67,28 @@ export class Bodies {
   }
 
   /** Replaces all bodies, or throws and leaves those that were there. */
-  setModels(models: Readonly<Record<string, MeshPair>>, geometry: CasterGeometry, bodies: readonly BodyModel[]): void {
-    const next = bodies.map((model) => {
+  setModels(models: Readonly<Record<string, MeshPair>>, bodies: readonly BodyModel[], fixtures: readonly BodyModel[] = []): void {
+    const build = (model: BodyModel): Drawn => {
       const pair = models[model.model];
       if (!pair) throw new MeshError(`There is no model “${model.model}” for the body “${model.id}”`);
-      return this.build(model, parsePair(pair, model.model), geometry);
-    });
-    this.drawn.forEach((body) => this.remove(body));
+      return this.build(model, parsePair(pair, model.model));
+    };
+    const [next, still] = [bodies.map(build), fixtures.map(build)];
+    for (const body of [...this.drawn, ...this.fixtures]) this.remove(body);
     this.drawn = next;
-    this.geometry = geometry;
-    next.forEach((body) => this.add(body));
+    this.fixtures = still;
+    for (const body of [...next, ...still]) this.add(body);
     this.arrange();
   }
 
   /** Replaces one body (`front-caster`) or every body of one model (`caster`), or throws and leaves them. */
   replace(id: string, pair: MeshPair): void {
     const indices = this.drawn.flatMap(({ model }, i) => (model.id === id || model.model === id ? [i] : []));
-    if (indices.length === 0 || !this.geometry) {
+    if (indices.length === 0) {
       const names = [...new Set(this.drawn.flatMap(({ model }) => [model.id, model.model]))].join(', ');
       throw new MeshError(`There is no body “${id}”${names === '' ? '' : `; the bodies are ${names}`}`);
     }
-    const next = indices.map((i) => this.build(this.drawn[i]!.model, parsePair(pair, id), this.geometry!));
+    const next = indices.map((i) => this.build(this.drawn[i]!.model, parsePair(pair, id)));
     indices.forEach((i, k) => {
       this.remove(this.drawn[i]!);
       this.drawn[i] = next[k]!;
@@ -104,7 +97,7 @@ export class Bodies {
     this.arrange();
   }
 
-  /** Poses: 12 numbers per body, position then rotation by rows; null hides all. Angles (rad): one per wheel, in body order. */
+  /** Poses: 12 numbers per body, position then rotation by rows; null hides all. Angles (rad): as the bodies' `spin` counts them. */
   place(poses: Float64Array | null, wheelAngles: Float64Array): void {
     if (poses && this.poses?.length === poses.length) this.poses.set(poses);
     else this.poses = poses?.slice() ?? null;
@@ -122,7 +115,7 @@ export class Bodies {
   setLook(palette: Palette, environment: boolean): void {
     this.palette = palette;
     this.environment = environment;
-    for (const { model, surfaces } of this.drawn) for (const s of surfaces) dress(s, model.part, palette, environment);
+    for (const { model, surfaces } of [...this.drawn, ...this.fixtures]) for (const s of surfaces) dress(s, model.part, palette, environment);
   }
 
   matrix(index: number): Matrix4 | null {
@@ -139,6 +132,11 @@ export class Bodies {
     );
   }
 
+  /** Indices of the bodies whose wheel rolls on the ground below it. */
+  wheeled(): number[] {
+    return this.drawn.flatMap(({ model }, i) => (model.spin ? [i] : []));
+  }
+
   /** Middle of a wheel's bounds in world axes (m), or null on a body without one. */
   wheelCentre(index: number): Vector3 | null {
     const wheel = this.drawn[index]?.wheel;
@@ -146,11 +144,12 @@ export class Bodies {
   }
 
   dispose(): void {
-    this.drawn.forEach((body) => this.remove(body));
+    for (const body of [...this.drawn, ...this.fixtures]) this.remove(body);
     this.drawn = [];
+    this.fixtures = [];
   }
 
-  private build(model: BodyModel, group: GroupType, geometry: CasterGeometry): Drawn {
+  private build(model: BodyModel, group: GroupType): Drawn {
     const root = new Group();
     root.matrixAutoUpdate = false;
     root.name = model.id;
@@ -159,11 +158,10 @@ export class Bodies {
     group.traverse((child) => {
       if (child instanceof Mesh) surfaces.push(...([child.material].flat() as MeshStandardMaterial[]));
     });
-    const spinning = group.children.filter((child) => /^wheel\b/i.test(child.name));
+    const spinning = model.spin ? group.children.filter((child) => /^wheel\b/i.test(child.name)) : [];
     let wheel: GroupType | null = null;
-    if (spinning.length > 0) {
-      // The frame is tilted by the caster angle and its origin touches the ground: the hub is straight above it at rest.
-      const hub = new Vector3(-Math.sin(geometry.casterAngle), 0, Math.cos(geometry.casterAngle)).multiplyScalar(geometry.wheelRadius);
+    if (model.spin && spinning.length > 0) {
+      const hub = new Vector3(...model.spin.hub);
       wheel = new Group();
       wheel.position.copy(hub);
       for (const child of spinning) {
@@ -178,14 +176,13 @@ export class Bodies {
 
   /** Puts what is drawn where the last poses say. */
   private arrange(): void {
-    let wheel = 0;
     this.drawn.forEach((body, i) => {
       this.show(i);
       if (!this.has(i)) return;
       const p = this.poses!.subarray(12 * i, 12 * i + 12) as unknown as Row;
       body.root.matrix.set(p[3], p[4], p[5], p[0], p[6], p[7], p[8], p[1], p[9], p[10], p[11], p[2], 0, 0, 0, 1);
       body.root.matrixWorldNeedsUpdate = true;
-      if (body.wheel) body.wheel.rotation.y = this.angles[wheel++] ?? 0;
+      if (body.wheel) body.wheel.rotation.y = this.angles[body.model.spin!.contact] ?? 0;
     });
   }
 

@@ -7,6 +7,34 @@ export interface BodyPart {
 /** A body and the name of the mesh pair that draws it. */
 export interface BodyModel extends BodyPart {
   model: string;
+  /** The mesh's group `wheel` turns about y through `hub` (m, in the body's frame) by this one of the frame's wheel angles. */
+  spin?: { hub: readonly [number, number, number]; contact: number };
+}
+
+/** Everything on a system's stage, and how to look at it. */
+export interface Cast {
+  /** Another system is looked at anew; the same one keeps the camera. */
+  id: string;
+  /** In the order of the poses. */
+  bodies: readonly BodyModel[];
+  /** What stands still, in world axes. */
+  fixtures: readonly BodyModel[];
+  stage: StagePlan;
+}
+
+export interface StagePlan {
+  /** Index of the body that the camera looks at and follows. */
+  subject: number;
+  /** Which way the subject faces: along its x axis, across its axle (y), or as the world's x. */
+  facing: 'nose' | 'axle' | 'world';
+  /** The subject moves about in its place: the camera stays with the world. */
+  still: boolean;
+  /** Height of the ground that is drawn (m). */
+  floor: number;
+  /** What the first view must hold (m), from the subject's origin in its facing frame, from the world's if still; else the bodies as they stand at first. */
+  frame?: readonly [low: readonly [number, number, number], high: readonly [number, number, number]];
+  /** Index of the body that the close-up shows, or null. */
+  closeUp: number | null;
 }
 
 /** One moment, ready to draw. */
@@ -14,15 +42,15 @@ export interface Frame {
   time: number;
   /** 12 numbers per body: position, then rotation matrix by rows (body to world), Z up. */
   poses: Float64Array;
-  /** Rolled angle (rad) about each wheel's axle (+y, forwards positive), one per body with a wheel, in body order; empty when unknown. */
+  /** Rolled angle (rad) about the axle (+y, forwards positive) of each wheel that no coordinate turns, as `spin` counts them; empty when unknown. */
   wheelAngles: Float64Array;
   /** Constraint forces: world origin and vector in N, or empty. */
   forces: readonly { part: 'front' | 'back'; kind: 'lateral' | 'vertical'; origin: readonly [number, number, number]; vector: readonly [number, number, number] }[];
 }
 
-/** Ground tracks so far: x, y, z triples per skate, times rising; views into growing arrays. */
+/** A path so far: x, y, z triples, times rising; views into growing arrays. */
 export interface Trail {
-  part: 'front' | 'back';
+  part: BodyPart['part'];
   /** 3 floats per point. */
   points: Float32Array;
   times: Float64Array;
@@ -34,14 +62,6 @@ export interface MeshPair {
   mdl: string;
   /** Text of the .mat (MTL) file. */
   mat: string;
-}
-
-/** Where the wheel sits in its caster's frame (rad, m): the hub is at wheelRadius (-sin(casterAngle), 0, cos(casterAngle)). */
-export interface CasterGeometry {
-  casterAngle: number;
-  wheelRadius: number;
-  casterTrail: number;
-  casterDrop: number;
 }
 
 export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
@@ -68,8 +88,8 @@ export interface ScreenBox {
 }
 
 export interface SceneView {
-  /** Bodies in the order of the poses. Throws `MeshError` and keeps the bodies that were there. */
-  setModels(models: Readonly<Record<string, MeshPair>>, geometry: CasterGeometry, bodies?: readonly BodyModel[]): void;
+  /** Another cast, in these meshes. Throws `MeshError` and keeps the one that was there. */
+  setModels(models: Readonly<Record<string, MeshPair>>, cast: Cast): void;
   /** One body (`front-caster`) or all bodies of a model (`caster`). Throws `MeshError` and keeps what was there. */
   replaceBody(id: string, pair: MeshPair): void;
   /** Read at once and not kept: the arrays may be reused. Null empties the scene. */

@@ -2,8 +2,8 @@
 import { type Scene, type Vector3, CircleGeometry, Color, DoubleSide, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vector2, Vector4 } from 'three';
 import type { Palette } from './palette.ts';
 
-/** Size of the shadow's catcher (m): a little more than the shadow camera sees. */
-const CATCHER = 2.6;
+/** Size of the shadow's catcher, per metre of what is lit: a little more than the shadow camera sees. */
+const CATCHER = 3;
 
 const vertexShader = /* glsl */ `
   varying vec2 ground;
@@ -17,7 +17,7 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   varying vec2 ground;
   uniform vec2 centre;
-  uniform float reach, opacity, contact;
+  uniform float reach, opacity, contact, unit;
   uniform vec3 background, surface, fine, strong;
   uniform vec4 board;    // x, y, heading, height of the board
   uniform vec4 skates;   // x, y of both skate points
@@ -51,8 +51,8 @@ const fragmentShader = /* glsl */ `
     dark += 0.7 * blob(skates.xy, 0.03, heights.x) + 0.7 * blob(skates.zw, 0.03, heights.y);
     colour *= 1.0 - contact * min(dark, 1.0);
 
-    vec2 thin = lines(0.1, 1.0);
-    vec2 thick = lines(1.0, 1.6);
+    vec2 thin = lines(0.1 * unit, 1.0);
+    vec2 thick = lines(unit, 1.6);
     colour = mix(colour, fine, near * max(thin.x, thin.y) * 0.9);
     colour = mix(colour, strong, sqrt(near) * near * max(thick.x, thick.y));
     gl_FragColor = vec4(colour, opacity);
@@ -68,6 +68,7 @@ export class Ground {
     reach: { value: 6 },
     opacity: { value: 1 },
     contact: { value: 0 },
+    unit: { value: 1 },
     background: { value: new Color() },
     surface: { value: new Color() },
     fine: { value: new Color() },
@@ -79,6 +80,8 @@ export class Ground {
   private strength = 0;
   private shown = false;
   private sunk = false;
+  private floor = 0;
+  private size = 0.88;
 
   constructor(scene: Scene, palette: Palette) {
     // Neither writes depth: ground, shadow, labels and tracks lie in one plane and are simply drawn in this order.
@@ -106,17 +109,26 @@ export class Ground {
     if (this.shown) this.uniforms.contact.value = this.strength;
   }
 
-  /** Board: position (m) and heading (rad). Skates: the points that touch the ground, front then back; null without wheels. */
+  /** Height of the floor, largest extent of what stands on it, distance of the strong lines (m). */
+  setPlan(floor: number, size: number, unit: number): void {
+    this.floor = floor;
+    this.size = size;
+    this.uniforms.unit.value = unit;
+    this.catcher.scale.setScalar(size);
+  }
+
+  /** Position (m) and heading (rad) of the subject. Skates: the points of a board that touch the ground, front then back; null without. */
   followBoard(position: Triple, heading: number, height: number, front: Triple | null, back: Triple | null): void {
-    this.uniforms.board.value.set(position[0], position[1], heading, height);
+    // The soft shade has a board's form: there is none without one.
+    this.uniforms.board.value.set(position[0], position[1], heading, front || back ? height : 1e3);
     this.uniforms.skates.value.set(front?.[0] ?? 0, front?.[1] ?? 0, back?.[0] ?? 0, back?.[1] ?? 0);
     this.uniforms.heights.value.set(Math.abs(front?.[2] ?? 1e3), Math.abs(back?.[2] ?? 1e3));
     this.uniforms.contact.value = this.strength;
     this.shown = true;
-    this.catcher.position.set(position[0], position[1], 0);
-    this.catcher.visible = position[2] > -0.2;
-    // A board that fell through (free bodies know no ground) is seen through it.
-    this.sunk = position[2] < -0.2;
+    this.catcher.position.set(position[0], position[1], this.floor);
+    // A body that fell through (free bodies know no ground) is seen through it.
+    this.sunk = position[2] < this.floor - 0.23 * this.size;
+    this.catcher.visible = !this.sunk;
   }
 
   clearBoard(): void {
@@ -131,8 +143,8 @@ export class Ground {
     const reach = 2.2 + 3.2 * distance;
     this.uniforms.centre.value.set(target.x, target.y);
     this.uniforms.reach.value = reach;
-    this.uniforms.opacity.value = eyeHeight < 0 || this.sunk ? 0.3 : 1;
-    this.disc.position.set(target.x, target.y, 0);
+    this.uniforms.opacity.value = eyeHeight < this.floor || this.sunk ? 0.3 : 1;
+    this.disc.position.set(target.x, target.y, this.floor);
     this.disc.scale.setScalar(reach);
     this.disc.updateMatrixWorld();
   }

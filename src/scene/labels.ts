@@ -15,12 +15,13 @@ const KEPT = 64;
 
 /** `x −3 m` with a true minus sign and a thin space before the unit. */
 export function metreLabel(axis: 'x' | 'y', metres: number): string {
-  return `${axis} ${metres < 0 ? MINUS : ''}${Math.abs(metres)}${THIN_SPACE}m`;
+  const rounded = Number(metres.toFixed(3));
+  return `${axis} ${rounded < 0 ? MINUS : ''}${Math.abs(rounded)}${THIN_SPACE}m`;
 }
 
-/** Metres between labels at a distance (m), in steps of 1, 2, 5, 10. */
-export function labelStep(distance: number): number {
-  return [1, 2, 5].find((step) => distance < 7 * step) ?? 10;
+/** Metres between labels at a distance (m), in steps of 1, 2, 5, 10 strong lines, `unit` (m) apart. */
+export function labelStep(distance: number, unit = 1): number {
+  return unit * ([1, 2, 5].find((step) => distance < 7 * step * unit) ?? 10);
 }
 
 export class Labels {
@@ -30,6 +31,8 @@ export class Labels {
   private colour: string;
   private shown = '';
   private ratio = 1;
+  private unit = 1;
+  private floor = 0;
 
   constructor(scene: Scene, palette: Palette) {
     this.scene = scene;
@@ -49,6 +52,13 @@ export class Labels {
     this.forget();
   }
 
+  /** Height of the floor, distance of the strong lines (m). */
+  setPlan(floor: number, unit: number): void {
+    this.floor = floor;
+    this.unit = unit;
+    this.shown = '';
+  }
+
   /** Viewport height in CSS pixels: labels keep their size on the screen. */
   resize(height: number, devicePixelRatio: number): void {
     const scale = (2 * Math.tan(FIELD_OF_VIEW / 2) * HEIGHT) / Math.max(height, 1);
@@ -60,7 +70,7 @@ export class Labels {
 
   /** Rewrites the labels when the nearest crossing or the step changed: rarely. */
   follow(target: Vector3, distance: number): void {
-    const step = labelStep(distance);
+    const step = labelStep(distance, this.unit);
     const x = step * Math.round(target.x / step);
     const y = step * Math.round(target.y / step);
     const state = `${x} ${y} ${step}`;
@@ -84,7 +94,7 @@ export class Labels {
   }
 
   private write(sprite: Sprite, text: string, x: number, y: number, away: number): void {
-    sprite.position.set(x, y, 0);
+    sprite.position.set(x, y, this.floor);
     sprite.material.map = this.textureOf(text);
     sprite.material.opacity = 1 - (0.75 * away) / SIDE;
     sprite.material.needsUpdate = true;

@@ -3,10 +3,9 @@ import { type Scene, type WebGLRenderer, DirectionalLight, HemisphereLight, PMRE
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import type { Palette } from './palette.ts';
 
-/** Half of the shadowed square around the board (m): the board is 0.9 m long. */
-const REACH = 0.62;
-/** From the board to the key light (m): steep, so that the shadow lies under the board and tells its height. */
-const KEY = [0.5, -0.42, 1.7] as const;
+/** Half of the shadowed square and where the key light stands, both per metre of what is lit: steep, so that the shadow lies under it and tells its height. */
+const REACH = 0.7;
+const KEY = [0.57, -0.48, 1.93] as const;
 
 export class Lights {
   private readonly scene: Scene;
@@ -15,6 +14,7 @@ export class Lights {
   private readonly fill = new DirectionalLight();
   private room: Texture | null = null;
   private palette: Palette;
+  private size = 0.88;
 
   constructor(scene: Scene, palette: Palette, shadowSize: number) {
     this.scene = scene;
@@ -24,8 +24,7 @@ export class Lights {
     this.key.shadow.mapSize.set(shadowSize, shadowSize);
     this.key.shadow.radius = 7;
     this.key.shadow.bias = -0.0004;
-    this.key.shadow.normalBias = 0.004;
-    Object.assign(this.key.shadow.camera, { left: -REACH, right: REACH, top: REACH, bottom: -REACH, near: 0.1, far: 4.5 });
+    this.setSize(this.size);
     this.fill.position.set(-1.2, 1.4, 0.7);
     scene.add(this.hemisphere, this.key, this.key.target, this.fill);
     this.setPalette(palette);
@@ -48,11 +47,21 @@ export class Lights {
     this.scene.environmentIntensity = palette.light.environment;
   }
 
-  /** Keeps the shadow around the board (m). A board high above the ground takes its light down with it. */
-  follow(x: number, y: number, z: number): void {
-    const height = Math.min(Math.max(z, 0), 2);
+  /** Largest extent of what is lit (m); the board's is 0.88. */
+  setSize(size: number): void {
+    this.size = size;
+    const reach = REACH * size;
+    Object.assign(this.key.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * size, far: 5.1 * size });
+    this.key.shadow.camera.updateProjectionMatrix();
+    this.key.shadow.normalBias = 0.0045 * size;
+  }
+
+  /** Keeps the shadow around the subject (m). One high above the floor takes its light down with it. */
+  follow(x: number, y: number, z: number, floor: number): void {
+    const { size } = this;
+    const height = Math.min(Math.max(z - floor, 0), 2.3 * size);
     this.key.target.position.set(x, y, z - height);
-    this.key.position.set(x + KEY[0], y + KEY[1], z - height + KEY[2] + height);
+    this.key.position.set(x + KEY[0] * size, y + KEY[1] * size, z + KEY[2] * size);
   }
 
   /** Renders the room once: cheap on a graphics card, seconds in software. */

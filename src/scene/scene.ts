@@ -1,16 +1,17 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
 import { Color, Fog, NeutralToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
-import { boardBodies, Bodies } from './bodies.ts';
+import { Bodies } from './bodies.ts';
 import { CameraRig } from './camera.ts';
 import type { Frame, Quality, SceneOptions, SceneView, ViewName } from './contract.ts';
 import { openContext, whenIdle } from './device.ts';
+import { Focus } from './focus.ts';
 import { Forces } from './forces.ts';
 import { Ground } from './ground.ts';
 import { Labels } from './labels.ts';
 import { Lights } from './lights.ts';
 import { palettes } from './palette.ts';
 import { Trails } from './trails.ts';
-import { headingOf, placeView, subjectOf, type Triple } from './views.ts';
+import type { Triple } from './views.ts';
 
 export { NoWebGlError } from './device.ts';
 
@@ -41,6 +42,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const bodies = new Bodies(scene, palette);
   const trails = new Trails(scene, palette);
   const forces = new Forces(scene, palette);
+  const focus = new Focus();
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
 
   let width = 1;
@@ -54,9 +56,6 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   /** The last frame's parts that outlive it. */
   let time = 0;
   let shown = false;
-  let heading = 0;
-  const board = new Vector3();
-  const subject = new Vector3();
   let arrows: Frame['forces'] = [];
   let view: ViewName = 'orbit';
   let follow = true;
@@ -98,36 +97,38 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   }
 
   function setFrame(frame: Frame | null): void {
-    const first = frame !== null && !shown;
     shown = frame !== null && frame.poses.length >= 12;
     bodies.place(shown ? frame!.poses : null, frame?.wheelAngles ?? new Float64Array(0));
     arrows = frame?.forces.map((f) => ({ ...f, origin: [...f.origin] as const, vector: [...f.vector] as const })) ?? [];
     time = frame?.time ?? Number.NEGATIVE_INFINITY;
-    if (shown) followBoard(frame!.poses, first);
+    if (shown) followCast(frame!.poses);
     else ground.clearBoard();
     forces.set(arrows, switches.forces);
     trails.show(time, switches.trails);
     requestRender();
   }
 
-  function followBoard(poses: Float64Array, first: boolean): void {
-    const point = (i: number): Triple | null => (poses.length < 12 * (i + 1) ? null : [poses[12 * i]!, poses[12 * i + 1]!, poses[12 * i + 2]!]);
-    const [position, front, back] = [point(0)!, point(3), point(4)];
-    if (!position.every(Number.isFinite)) return;
-    board.set(...position);
-    heading = headingOf(poses);
-    const lowest = front && back ? Math.min(front[2], back[2]) : position[2];
-    ground.followBoard(position, heading, Math.abs(lowest), front, back);
-    lights.follow(...position);
-    const next = new Vector3(...point(subjectOf(view, poses.length / 12))!);
-    const moved = next.clone().sub(subject);
-    subject.copy(next);
-    if (first) go(true);
+  function followCast(poses: Float64Array): void {
+    const { moved, stage, camera } = focus.take(poses, view, bodies);
+    const { plan, position, heading } = focus;
+    const body = (i: number | undefined): Triple | null => (i === undefined || poses.length < 12 * (i + 1) ? null : [poses[12 * i]!, poses[12 * i + 1]!, poses[12 * i + 2]!]);
+    const at = body(plan.subject)!;
+    if (!at.every(Number.isFinite)) return;
+    if (stage) {
+      lights.setSize(focus.size);
+      ground.setPlan(plan.floor, focus.size, focus.unit);
+      labels.setPlan(plan.floor, focus.unit);
+    }
+    const [front, back] = bodies.wheeled().map((i) => body(i));
+    const lowest = front && back ? Math.min(front[2], back[2]) : position.z;
+    ground.followBoard(at, heading, Math.abs(lowest), front ?? null, back ?? null);
+    lights.follow(...at, plan.floor);
+    if (camera) go(true);
     else if (follow) rig.shift(moved);
   }
 
   function go(instantly: boolean): void {
-    const { camera, target } = placeView(view, subject.toArray() as unknown as Triple, heading, width / height);
+    const { camera, target } = focus.place(view, width / height, bodies);
     rig.go(camera, target, instantly);
   }
 
@@ -162,8 +163,9 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   canvas.addEventListener('webglcontextrestored', contextRestored);
 
   return {
-    setModels(models, geometry, list = boardBodies) {
-      bodies.setModels(models, geometry, list);
+    setModels(models, cast) {
+      bodies.setModels(models, cast.bodies, cast.fixtures);
+      focus.setCast(cast);
       requestRender();
     },
     replaceBody(id, pair) {
@@ -178,8 +180,6 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     },
     setView(name) {
       view = name;
-      const at = bodies.matrix(subjectOf(name, bodies.count));
-      if (at) subject.setFromMatrixPosition(at);
       go(!shown);
     },
     setFollow(value) {

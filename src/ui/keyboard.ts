@@ -2,7 +2,7 @@
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
 import type { App } from '../app/types.ts';
-import { views } from './stageOverlay.tsx';
+import { viewsOf } from './stageOverlay.tsx';
 import { timelineOf } from './timeline.ts';
 import { speeds } from './transport.tsx';
 
@@ -55,7 +55,7 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     f: () => { state.follow.value = !state.follow.peek(); },
     '?': () => { keysOpen.value = true; },
   };
-  const view = views[Number(key) - 1];
+  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system)[Number(key) - 1];
   const run = does[key.length === 1 ? key.toLowerCase() : key] ?? (view && (() => { state.view.value = view; }));
   run?.();
   return run !== undefined;

@@ -7,6 +7,8 @@ export interface MenuItem {
   id: string;
   title: string;
   summary?: string;
+  /** Items of one group stand together under its name. */
+  group?: string;
   current?: boolean;
   disabled?: boolean;
   testId?: string;
@@ -73,14 +75,25 @@ export function Menu({ label, title, items, testId, wide, align = 'left', childr
         <Icon name="down" />
       </button>
       <div id={id} role="menu" aria-label={label} class={`menu-list ${align}${wide ? ' wide' : ''}`} hidden={!open}>
-        {open && items.map((item) => (
-          <button key={item.id} type="button" role="menuitem" tabIndex={-1} aria-current={item.current ? 'true' : undefined} disabled={item.disabled} data-testid={item.testId}
-            onClick={() => { close(); item.choose(); }}>
-            <span class="menu-title">{item.title}</span>
-            {item.summary && <span class="menu-summary">{item.summary}</span>}
-          </button>
+        {open && groupsOf(items).map(([group, members]) => (
+          <div key={group} role={group ? 'group' : 'none'} aria-label={group || undefined} class="menu-group">
+            {group && <span class="menu-heading" aria-hidden="true">{group}</span>}
+            {members.map((item) => (
+              <button key={item.id} type="button" role="menuitem" tabIndex={-1} aria-current={item.current ? 'true' : undefined} disabled={item.disabled} data-testid={item.testId}
+                onClick={() => { close(); item.choose(); }}>
+                <span class="menu-title">{item.title}</span>
+                {item.summary && <span class="menu-summary">{item.summary}</span>}
+              </button>
+            ))}
+          </div>
         ))}
       </div>
     </div>
   );
+}
+
+/** In the order in which groups first come. */
+function groupsOf(items: readonly MenuItem[]): (readonly [string, readonly MenuItem[]])[] {
+  const names = [...new Set(items.map((item) => item.group ?? ''))];
+  return names.map((name) => [name, items.filter((item) => (item.group ?? '') === name)]);
 }

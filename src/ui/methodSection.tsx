@@ -1,5 +1,5 @@
 import { DEFAULTS } from '../core/scenario/defaults.ts';
-import type { MethodOptions } from '../core/scenario/types.ts';
+import type { MethodOptions, ScenarioFile } from '../core/scenario/types.ts';
 import { edit, useUi } from './context.ts';
 import { Check, Choice, Section } from './controls.tsx';
 import { withKey, withMethod } from './draft.ts';
@@ -9,12 +9,23 @@ import type { NumberSpec } from './useNumberField.ts';
 
 const methodDefaults = { name: DEFAULTS.method, formulation: DEFAULTS.formulation, rtol: DEFAULTS.rtol, atol: DEFAULTS.atol, projection: true } as const;
 
+/** The method without a formulation, and what its choice then says. */
+const RESIDUAL_METHOD = 'ida';
+const NONE = '';
+
+/** Another method; a formulation goes where it has no meaning. */
+function named(draft: ScenarioFile, id: string): ScenarioFile {
+  const next = withMethod(draft, 'name', id === methodDefaults.name ? undefined : id);
+  return id === RESIDUAL_METHOD ? withMethod(next, 'formulation', undefined) : next;
+}
+
 export function MethodSection() {
   const ui = useUi();
   const method: Partial<MethodOptions> = ui.app.state.draft.value.method ?? {};
   const base = ui.origin.value?.scenario.method;
   const errors = ui.app.state.draftErrors.value;
   const name = method.name ?? methodDefaults.name;
+  const residual = name === RESIDUAL_METHOD;
   const adaptive = ui.methods.find((m) => m.id === name)?.adaptive !== false;
   const set = <K extends keyof MethodOptions>(key: K, value: MethodOptions[K] | undefined) =>
     edit(ui, (draft) => withMethod(draft, key, value === (methodDefaults as Partial<MethodOptions>)[key] ? undefined : value));
@@ -25,9 +36,9 @@ export function MethodSection() {
   });
   return (
     <Section title={text.panel.method}>
-      <Choice label={text.panel.method} value={name} options={ui.methods} error={errors.get('method.name')} testId="method-name" onChange={(id) => set('name', id)} />
-      <Choice label={text.panel.formulation} value={method.formulation ?? methodDefaults.formulation} options={ui.formulations} disabled={name === 'ida'}
-        error={errors.get('method.formulation')} testId="method-formulation" onChange={(id) => set('formulation', id)} />
+      <Choice label={text.panel.method} value={name} options={ui.methods} error={errors.get('method.name')} testId="method-name" onChange={(id) => edit(ui, (draft) => named(draft, id))} />
+      <Choice label={text.panel.formulation} value={method.formulation ?? (residual ? NONE : methodDefaults.formulation)} options={residual ? [{ id: NONE, label: text.panel.residualAsItIs }] : ui.formulations}
+        disabled={residual && method.formulation === undefined} error={errors.get('method.formulation')} testId="method-formulation" onChange={(id) => set('formulation', id === NONE ? undefined : id)} />
       {adaptive && <NumberField symbol="rtol" spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />}
       {adaptive && <NumberField symbol="atol" spec={spec('atol', methodDefaults.atol)} testId="method-atol" />}
       <NumberField symbol="h" spec={spec('step')} placeholder={text.panel.auto} testId="method-step" />

@@ -1,17 +1,23 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
 import type { ViewName } from '../app/types.ts';
+import { hasCloseUp } from '../core/models/roster.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
 import { text } from './text.ts';
 
-export const views: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
+const views: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
+
+/** The close-up only where there is something to come close to. */
+export const viewsOf = (systemId: string): readonly ViewName[] => (hasCloseUp(systemId) ? views : views.slice(0, -1));
 
 export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
   const ui = useUi();
   const { state } = ui.app;
   const motion = state.motion.value;
   const origin = ui.origin.value;
+  const system = motion?.system ?? ui.system.value;
+  const [tracked, forced] = [(system?.tracks ?? system?.contacts ?? []).length > 0, (system?.contacts ?? []).length > 0];
   const fileTitle = motion?.source === 'file' ? motion.title : null;
   return (
     <>
@@ -28,7 +34,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       )}
       <div class="views">
         <div class="segments" role="group" aria-label={text.view.label}>
-          {views.map((view, i) => (
+          {viewsOf(system?.meta.id ?? '').map((view, i) => (
             <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${i + 1})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>
               {text.view.names[view]}
             </Toggle>
@@ -36,8 +42,8 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
         </div>
         <div class="segments" role="group" aria-label={text.view.switches}>
           <Toggle pressed={state.follow.value} title={`${text.view.follow} (F)`} testId="toggle-follow" onClick={() => { state.follow.value = !state.follow.value; }}>{text.view.follow}</Toggle>
-          <Toggle pressed={state.showTrails.value} testId="toggle-trails" onClick={() => { state.showTrails.value = !state.showTrails.value; }}>{text.view.trails}</Toggle>
-          <Toggle pressed={state.showForces.value} testId="toggle-forces" onClick={() => { state.showForces.value = !state.showForces.value; }}>{text.view.forces}</Toggle>
+          {tracked && <Toggle pressed={state.showTrails.value} testId="toggle-trails" onClick={() => { state.showTrails.value = !state.showTrails.value; }}>{text.view.trails}</Toggle>}
+          {forced && <Toggle pressed={state.showForces.value} testId="toggle-forces" onClick={() => { state.showForces.value = !state.showForces.value; }}>{text.view.forces}</Toggle>}
         </div>
       </div>
     </>

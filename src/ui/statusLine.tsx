@@ -1,5 +1,5 @@
 /** One line that is always there: how the numbers were made and whether to trust them. */
-import type { Scenario } from '../core/scenario/types.ts';
+import type { Motion } from '../app/types.ts';
 import { DEFAULTS } from '../core/scenario/defaults.ts';
 import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
@@ -27,20 +27,25 @@ function RunFacts() {
   const method = (state.motion.value?.scenario ?? state.draft.value).method;
   const name = method?.name ?? DEFAULTS.method;
   const words = text.status;
+  const energyless = (state.motion.value?.system ?? ui.system.value)?.meta.order === 1;
   return (
     <>
-      <span title={method?.formulation ?? DEFAULTS.formulation}>{name}</span>
+      <span title={name === 'ida' ? undefined : (method?.formulation ?? DEFAULTS.formulation)}>{name}</span>
       <span data-testid="steps">{statistics ? formatCount(statistics.steps) : '–'} {words.steps}</span>
-      <Trust numbers={statistics} driven={isDriven(state.motion.value?.scenario ?? null)} />
+      <Trust numbers={energyless ? null : statistics} driven={isDriven(state.motion.value)} />
     </>
   );
 }
 
+/** Units of what takes energy away as it moves. */
+const LOSSES: ReadonlySet<string> = new Set(['N·s/m', 'N·m·s/rad', 'kg/s']);
+
 /** Whether something does work on the system, so that its energy is no measure of accuracy. */
-function isDriven(scenario: Scenario | null): boolean {
+function isDriven(motion: Motion | null): boolean {
+  const scenario = motion?.scenario;
   if (!scenario) return false;
-  const losses = ['torsionDamping', 'jointDamping', 'casterDamping', 'wheelDrag'];
-  return scenario.control !== null || Object.keys(scenario.inputs).length > 0 || losses.some((name) => (scenario.parameters[name] ?? 0) > 0);
+  const losses = motion.system.meta.parameters.filter(({ unit }) => LOSSES.has(unit));
+  return scenario.control !== null || Object.keys(scenario.inputs).length > 0 || losses.some(({ name }) => (scenario.parameters[name] ?? 0) > 0);
 }
 
 /** Energy and constraint residual; dashes where they are not known. */
@@ -65,7 +70,7 @@ function FileFacts() {
       <span data-testid="rows">{formatCount(motion.trajectory.length)} {text.status.rows}</span>
       <span data-testid="columns">{motion.trajectory.columns.length} {text.status.columns}</span>
       {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
-      <Trust numbers={motion.judgement} driven={isDriven(motion.scenario)} />
+      <Trust numbers={motion.judgement} driven={isDriven(motion)} />
     </>
   );
 }

@@ -9,9 +9,11 @@ export function SystemSection() {
   const draft = ui.app.state.draft.value;
   const system = ui.system.value;
   const errors = ui.app.state.draftErrors.value;
-  if (!system) return <p class="error" role="alert">{errors.get('system') ?? draft.system}</p>;
-  const ids = [...new Set([...ui.app.cases.map((c) => c.scenario.system), draft.system])];
-  const systems = ids.map((id) => ({ id, label: ui.app.systemOf(id)?.meta.title ?? id }));
+  const systems = ui.app.systems.map(({ id, title }) => ({ id, label: title }));
+  const choice = (
+    <Choice label={text.panel.system} value={draft.system} options={systems} error={errors.get('system')} testId="system" onChange={(id) => replaceDraft(ui, () => ui.app.actions.chooseSystem(id))} />
+  );
+  if (!system) return <Section title={text.panel.system} open>{choice}</Section>;
   const sets = system.meta.constraintSets;
   const chosen = sets.find((set) => set.id === (draft.constraints ?? sets[0]!.id));
   const held = draft.hold ?? [];
@@ -21,10 +23,7 @@ export function SystemSection() {
   };
   return (
     <Section title={text.panel.system} open>
-      <Choice label={text.panel.system} value={draft.system} options={systems} testId="system" onChange={(id) => {
-        const first = ui.app.cases.find((c) => c.scenario.system === id);
-        if (first) replaceDraft(ui, () => ui.app.actions.loadCase(first.id));
-      }} />
+      {choice}
       {sets.length > 0 && (
         <Choice label={text.panel.constraints} value={draft.constraints ?? sets[0]!.id} options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))} error={errors.get('constraints')} testId="constraints"
           onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))} />

@@ -10,7 +10,7 @@ export const text = {
     experiment: 'Experiment', now: 'Now', file: 'File', fold: (name: string) => `Fold ${name}`, unfold: (name: string) => `Show ${name}`,
     system: 'System', constraints: 'Constraints', hold: 'Held coordinates', holdHint: 'Frozen at their initial value.',
     start: 'Start', startHint: 'Empty: not named, rests or gives way. Plain angles are degrees; pi/8 and 0.3 rad are read as written.',
-    value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation',
+    value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation', residualAsItIs: 'None: IDA takes the residual as it is',
     rtol: 'relative tolerance', atol: 'absolute tolerance', step: 'step (first step if adaptive)', maxStep: 'largest step', auto: 'auto',
     projection: 'Project every step and sample onto the constraints', inputs: 'Inputs', inputsHint: 'Numbers or expressions of t, e.g. 0.1*sin(2*pi*t).',
     rawForce: 'generalized force', siUnit: 'SI',
@@ -34,7 +34,7 @@ export const text = {
     energyChange: 'energy change', energyChangeTitle: 'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',
     residual: 'residual', residualTitle: 'Largest constraint residual so far', computing: (percent: number) => `computing ${percent} %`,
     ended: (reason: string) => `ended: ${reason}`, idle: 'not run yet', rows: 'rows', columns: 'columns', skipped: (n: number) => (n === 1 ? '1 line with a problem' : `${n} lines with problems`),
-    reasons: { end: 'complete', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed' } as Record<string, string>,
+    reasons: { end: 'complete', touchdown: 'touchdown', 'constraint-singular': 'constraints singular', 'step-too-small': 'step too small', 'non-finite': 'not finite', cancelled: 'cancelled', failed: 'failed', retuned: 'controller changed' } as Record<string, string>,
   },
   file: {
     issues: (n: number) => (n === 1 ? '1 note on this file' : `${n} notes on this file`), clean: 'Every line was used.', more: (n: number) => `and ${n} more`,
@@ -58,7 +58,7 @@ export const text = {
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
-    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow the board'],
+    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow what moves'],
     ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

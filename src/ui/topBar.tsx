@@ -44,7 +44,7 @@ function CaseMenu() {
   return (
     <Menu label={`${text.top.cases}: ${origin?.title ?? text.top.ownScenario}`} testId="case-menu" wide
       items={ui.app.cases.map((c) => ({
-        id: c.id, title: c.title, summary: c.summary, current: c.id === origin?.id, testId: `case-${c.id}`,
+        id: c.id, title: c.title, summary: c.summary, group: ui.app.systemOf(c.scenario.system)?.meta.title, current: c.id === origin?.id, testId: `case-${c.id}`,
         choose: () => replaceDraft(ui, () => ui.app.actions.loadCase(c.id)),
       }))}>
       <span class="case-title">{origin?.title ?? text.top.ownScenario}</span>

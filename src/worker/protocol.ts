@@ -1,9 +1,9 @@
 import type { StartAdjustment } from '../core/dynamics/consistentStart.ts';
 import type { Scenario } from '../core/scenario/types.ts';
-import type { RunCounts, RunEnd } from '../core/simulation/simulation.ts';
+import type { Continuation, RunCounts, RunEnd } from '../core/simulation/simulation.ts';
 
 /** Page to worker. Every message names the run it belongs to, so that nothing of an old run is taken for the new. */
-export type ToWorker = { type: 'start'; run: number; scenario: Scenario } | { type: 'cancel'; run: number };
+export type ToWorker = { type: 'start'; run: number; scenario: Scenario; from?: Continuation } | { type: 'cancel'; run: number };
 
 /** Worker to page. Column buffers are transferred, not copied; `seconds` is the time spent computing so far. */
 export type FromWorker =

@@ -22,11 +22,11 @@ self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
   start(data);
 });
 
-function start({ run, scenario }: Extract<ToWorker, { type: 'start' }>): void {
+function start({ run, scenario, from }: Extract<ToWorker, { type: 'start' }>): void {
   try {
     const system = systems[scenario.system];
     if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
-    const simulation = new Simulation(scenario, system, EXTRA_COLUMNS);
+    const simulation = new Simulation(scenario, system, EXTRA_COLUMNS, from);
     seconds = 0;
     current = { run, simulation };
     post({ type: 'started', run, columns: [...simulation.columns], adjustments: [...simulation.adjustments], notes: [...simulation.notes] });

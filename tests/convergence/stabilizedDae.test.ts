@@ -31,7 +31,7 @@ function mechanicsOf(raw: unknown) {
   const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
   const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
   const { q, v } = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
-  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, actuationOf(scenario, meta).forcing);
+  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, actuationOf(scenario, system).forcing);
   const dae = new StabilizedDae(dynamics);
   const y = new Float64Array(dae.dimension);
   dae.fromState(q, v, y);

@@ -5,7 +5,7 @@ import { chooseCase, ended, openPage, VIEWPORT } from './helpers.ts';
 test.use({ viewport: VIEWPORT });
 
 /** Every one that the view offers to begin with, and a fixed-step one. */
-const CHOSEN = ['qr', 'collocation', 'blt', 'dopri5', 'dop853', 'rk4'];
+const CHOSEN = ['qr', 'collocation', 'ida', 'blt', 'dopri5', 'dop853', 'rk4'];
 
 test('methods are compared on the scenario in the panel: table, curves, cancel, table as CSV', async ({ page }) => {
   const watch = await openPage(page);

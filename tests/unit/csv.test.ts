@@ -243,3 +243,17 @@ test.each([
   expect(motion(`${plain}${line}\n${'50,'.repeat(10)}50\n`).rows).toBe(4);
   expect(read(`${line}\n${plain}`).kind).not.toBe('needs-time-step');
 });
+
+describe.each(Object.values(metas).map((m) => [m.id, m] as const))('a file of %s is known by its columns alone', (id, { coordinates }) => {
+  const own = coordinates.map((q) => q.name);
+  test.each([
+    ['coordinates', ['t', ...own]],
+    ['in another order, with rates', [...own.map((name) => `${name}_dot`), ...[...own].reverse(), 'time']],
+    ['in capitals, with units and a column of no meaning', ['Time [s]', 'Remark 7', ...coordinates.map((q) => `${q.name.toUpperCase()} (${q.kind === 'angle' ? 'deg' : 'mm'})`)]],
+  ])('%s', (_, titles) => {
+    const result = motion(table(titles));
+    expect(result.systemId).toBe(id);
+    expect(result.columns.slice(0, own.length + 1)).toEqual(['t', ...own]);
+    expect(result.rows).toBe(3);
+  });
+});

@@ -82,10 +82,16 @@ describe('what the specification shows', () => {
     for (const name of coordinates) expect(scenarioOf(board({ inputs: { [`f_${name}`]: 1 } })).inputs).toEqual({ [`f_${name}`]: 1 });
   });
 
-  it.each(['euler', 'rk4', 'adams-moulton', 'dopri5', 'dop853', 'gauss', 'radau', 'bdf', 'ida'])('knows the method %s', (name) => {
+  it.each(['euler', 'rk4', 'adams-moulton', 'dopri5', 'dop853', 'gauss', 'radau', 'bdf'])('knows the method %s', (name) => {
     for (const formulation of ['multipliers', 'nullspace-qr', 'blt']) {
       expect(scenarioOf(board({ method: { name, formulation, stages: 3, maxStep: 0.1, projection: false } })).method).toMatchObject({ name, formulation, stages: 3, maxStep: 0.1, projection: false });
     }
+  });
+
+  it('knows the method ida, which has no formulation, and reads back what it made of it', () => {
+    const { method } = scenarioOf(board({ method: { name: 'ida' } }));
+    expect(method).toEqual({ name: 'ida', rtol: 1e-8, atol: 1e-10, projection: true });
+    expect(scenarioOf(board({ method })).method).toEqual(method);
   });
 
   it.each(['rolling', 'report', 'none'])('knows the constraints %s', (constraints) => {
@@ -130,6 +136,7 @@ const REFUSED: [string, unknown, string, RegExp][] = [
   ['a method as text', board({ method: 'rk4' }), 'method', /object/],
   ['an unknown formulation', board({ method: { formulation: 'qr' } }), 'method.formulation', /multipliers, nullspace-qr, blt/],
   ['an unknown key of the method', board({ method: { rtoll: 1 } }), 'method.rtoll', /did you mean "rtol"/],
+  ['a formulation for the residual', board({ method: { name: 'ida', formulation: 'multipliers' } }), 'method.formulation', /leave it out/],
   ['half a stage', board({ method: { stages: 2.5 } }), 'method.stages', /whole number/],
   ['a projection that is no yes or no', board({ method: { projection: 1 } }), 'method.projection', /true or false/],
   ['a step of zero', board({ method: { step: 0 } }), 'method.step', /greater than 0/],

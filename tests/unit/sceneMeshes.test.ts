@@ -1,12 +1,13 @@
 import { type Mesh, Scene } from 'three';
 import { describe, expect, test } from 'vitest';
+import { boardBodies, hubOf } from '../../src/core/models/board.ts';
 import { generateModels } from '../../src/core/models/index.ts';
-import { Bodies, boardBodies, parsePair } from '../../src/scene/bodies.ts';
+import { Bodies, parsePair } from '../../src/scene/bodies.ts';
 import { checkMaterials, checkMesh } from '../../src/scene/meshText.ts';
 import { palettes } from '../../src/scene/palette.ts';
 
 const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
-const geometry = { casterAngle: Math.PI / 6, wheelRadius: 0.04, casterTrail: 0.04, casterDrop: 0.06 };
+const board = boardBodies({ casterAngle: Math.PI / 6, wheelRadius: 0.04 });
 
 describe('mesh files that cannot be drawn are refused by file and line', () => {
   test.each([
@@ -48,7 +49,7 @@ describe('the board', () => {
     const bodies = new Bodies(new Scene(), palettes.light);
     bodies.place(poses, new Float64Array(0));
     expect(bodies.matrix(0)).toBeNull();
-    bodies.setModels(models, geometry, boardBodies);
+    bodies.setModels(models, board);
     expect(bodies.count).toBe(5);
     expect(bodies.matrix(4)!.toArray()).toEqual([0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 4, 2, 3, 1]);
     bodies.place(null, new Float64Array(0));
@@ -58,23 +59,24 @@ describe('the board', () => {
   test('a wheel turns about its hub and stays in its place', () => {
     const scene = new Scene();
     const bodies = new Bodies(scene, palettes.light);
-    bodies.setModels(models, geometry, boardBodies);
+    bodies.setModels(models, board);
     const bounds = (angle: number): number[] => {
       bodies.place(poses, Float64Array.of(angle, 0));
       scene.updateMatrixWorld(true);
       return bodies.wheelCentre(3)!.toArray();
     };
-    const hub = [3, 2 - 0.04 * Math.sin(geometry.casterAngle), 3 + 0.04 * Math.cos(geometry.casterAngle)];
+    const [x, , z] = hubOf(Math.PI / 6, 0.04);
+    const hub = [3, 2 + x, 3 + z];
     for (const angle of [0, 1, 2.5]) bounds(angle).forEach((x, i) => expect(x).toBeCloseTo(hub[i]!, 3));
   });
 
   test('a bad pair leaves the bodies that were there', () => {
     const bodies = new Bodies(new Scene(), palettes.light);
-    bodies.setModels(models, geometry, boardBodies);
+    bodies.setModels(models, board);
     bodies.place(poses, new Float64Array(0));
     expect(() => bodies.replace('rod', { mdl: 'nonsense', mat: '' })).toThrow(/rod\.mdl, line 1/);
-    expect(() => bodies.setModels({ ...models, caster: { mdl: '', mat: '' } }, geometry, boardBodies)).toThrow(/caster\.mdl/);
-    expect(() => bodies.setModels({ rod: models.rod }, geometry, boardBodies)).toThrow(/front-plate/);
+    expect(() => bodies.setModels({ ...models, caster: { mdl: '', mat: '' } }, board)).toThrow(/caster\.mdl/);
+    expect(() => bodies.setModels({ rod: models.rod }, board)).toThrow(/front-plate/);
     expect(() => bodies.replace('handlebar', models.rod)).toThrow(/no body “handlebar”.*rod/);
     expect(bodies.count).toBe(5);
     bodies.replace('caster', { mdl: TRIANGLE, mat: '' });

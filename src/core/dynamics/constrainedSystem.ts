@@ -101,9 +101,14 @@ export class ConstrainedSystem {
   /** Evaluates M, force, Omega and gamma at a state. */
   evaluate(t: number, q: Float64Array, v: Float64Array): void {
     this.prepared = 'no';
-    this.system.mechanics(q, v, this.parameters, this.massMatrix, this.force);
+    const { constraints, parameters } = this;
+    if (constraints?.dynamics) {
+      constraints.dynamics(q, v, parameters, this.massMatrix, this.force, this.omega, this.gamma);
+    } else {
+      this.system.mechanics(q, v, parameters, this.massMatrix, this.force);
+      constraints?.evaluate(q, v, parameters, this.omega, this.gamma);
+    }
     this.forcing?.(t, q, v, this.force);
-    this.constraints?.evaluate(q, v, this.parameters, this.omega, this.gamma);
     const { n, m } = this;
     for (const i of this.held) {
       for (let k = 0; k < n; k++) this.massMatrix[i * n + k] = this.massMatrix[k * n + i] = 0;

@@ -1,7 +1,11 @@
+import { feedbackOf } from '../control/feedback.ts';
 import { compileExpression } from '../scenario/expressions.ts';
-import { ScenarioError, type Scenario, type TrackControl } from '../scenario/types.ts';
-import type { InputMeta, SystemMeta } from '../systems/types.ts';
+import type { Scenario, TrackControl } from '../scenario/types.ts';
+import type { InputMeta, System, SystemMeta } from '../systems/types.ts';
 import type { Forcing } from './constrainedSystem.ts';
+import { inputsOf } from './inputs.ts';
+
+export { inputsOf } from './inputs.ts';
 
 /** All inputs a scenario drives: their names, and the forces and values at a moment. */
 export interface Actuation {
@@ -16,38 +20,22 @@ export interface Actuation {
 /** One input as it goes: open loop, closed loop or both. */
 interface Signal {
   value(t: number, q: Float64Array, v: Float64Array): number;
-  /** What it reacts to; `sensitivity` tells how much. */
-  tracked: readonly number[];
-  /** Derivatives by each tracked position and by each tracked speed, into `out`. */
-  sensitivity(t: number, q: Float64Array, v: Float64Array, out: [number, number]): void;
-}
-
-/** The named inputs of a system and a raw generalized force `f_<coordinate>` on each coordinate (spec, section 3). */
-export function inputsOf(meta: SystemMeta): InputMeta[] {
-  const raw = meta.coordinates
-    .filter((c) => !meta.inputs.some((i) => i.name === `f_${c.name}`))
-    .map((c) => ({
-      name: `f_${c.name}`,
-      symbol: `f_${c.name}`,
-      label: `generalized force on ${c.name}`,
-      unit: c.kind === 'angle' ? 'N·m' : 'N',
-      column: { [c.name]: 1 },
-    }));
-  return [...meta.inputs, ...raw];
+  /** Adds its derivatives by q and by v, times `weight`, onto a row (n entries from `row` on) of each; absent where it does not react. */
+  addSlopes?(t: number, q: Float64Array, v: Float64Array, weight: number, row: number, forceQ: Float64Array, forceV: Float64Array): void;
 }
 
 /**
  * Binds a scenario's open-loop inputs and controller.
  * @throws ScenarioError for a controller that can't be had
  */
-export function actuationOf(scenario: Scenario, meta: SystemMeta): Actuation {
-  const control = scenario.control;
-  if (control?.type === 'lqr') {
-    throw new ScenarioError('control.type', '"lqr" is not available in this version; "track" is, or leave control out');
-  }
+export function actuationOf(scenario: Scenario, system: System): Actuation {
+  const { meta } = system;
+  const { control } = scenario;
+  const feedback = control?.type === 'lqr' ? feedbackOf(scenario, system) : null;
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
-    const signal = total(openLoop(scenario, input), control ? tracking(control, input, meta) : null);
+    const closed: Signal | null = control?.type === 'track' ? tracking(control, input, meta) : (feedback?.get(input.name) ?? null);
+    const signal = total(openLoop(scenario, input), closed);
     // The named inputs are always there, so that a file of a run with inputs has the same columns for every run.
     if (signal || meta.inputs.includes(input)) parts.push({ input, signal });
   }
@@ -65,18 +53,13 @@ export function actuationOf(scenario: Scenario, meta: SystemMeta): Actuation {
       for (let k = 0; k < column.length; k++) force[column[k]!.index]! += column[k]!.weight * u;
     }
   };
-  const slopes: [number, number] = [0, 0];
   const n = meta.coordinates.length;
+  const loops = driven.filter((i) => parts[i]!.signal!.addSlopes);
   forcing.jacobians = (t, q, v, forceQ, forceV) => {
-    for (const i of driven) {
-      const { tracked, sensitivity } = parts[i]!.signal!;
-      if (tracked.length === 0) continue;
-      sensitivity(t, q, v, slopes);
-      for (const { index, weight } of columns[i]!) {
-        for (const k of tracked) {
-          forceQ[index * n + k]! += weight * slopes[0];
-          forceV[index * n + k]! += weight * slopes[1];
-        }
+    for (const i of loops) {
+      const column = columns[i]!;
+      for (let k = 0; k < column.length; k++) {
+        parts[i]!.signal!.addSlopes!(t, q, v, column[k]!.weight, column[k]!.index * n, forceQ, forceV);
       }
     }
   };
@@ -86,14 +69,17 @@ export function actuationOf(scenario: Scenario, meta: SystemMeta): Actuation {
 /** An open-loop signal adds to what the controller asks, and reacts to nothing. */
 function total(open: Signal | null, closed: Signal | null): Signal | null {
   if (!open || !closed) return open ?? closed;
-  return { ...closed, value: (t, q, v) => open.value(t, q, v) + closed.value(t, q, v) };
+  return {
+    value: (t, q, v) => open.value(t, q, v) + closed.value(t, q, v),
+    addSlopes: (t, q, v, weight, row, forceQ, forceV) => closed.addSlopes?.(t, q, v, weight, row, forceQ, forceV),
+  };
 }
 
 function openLoop(scenario: Scenario, input: InputMeta): Signal | null {
   const text = scenario.inputs[input.name];
   if (text === undefined) return null;
   const expression = compileExpression(text, { variables: ['t'] });
-  return { value: (t) => expression.evaluate(t), tracked: [], sensitivity: () => {} };
+  return { value: (t) => expression.evaluate(t) };
 }
 
 /** PD on what the input tracks: -kp (sum q - r) - kd (sum v - r_dot), within the limit if there is one. */
@@ -116,12 +102,13 @@ function tracking(control: TrackControl, input: InputMeta, meta: SystemMeta): Si
   };
   return {
     value: (t, q, v) => Math.max(-limit, Math.min(limit, asked(t, q, v))),
-    tracked: index,
-    sensitivity: (t, q, v, out) => {
+    addSlopes: (t, q, v, weight, row, forceQ, forceV) => {
       // At its limit the controller no longer reacts.
-      const reacts = Math.abs(asked(t, q, v)) < limit;
-      out[0] = reacts ? -kp : 0;
-      out[1] = reacts ? -kd : 0;
+      if (!(Math.abs(asked(t, q, v)) < limit)) return;
+      for (let k = 0; k < index.length; k++) {
+        forceQ[row + index[k]!]! -= weight * kp;
+        forceV[row + index[k]!]! -= weight * kd;
+      }
     },
   };
 }

@@ -1,5 +1,6 @@
 import type { DaeProblem } from '../integrators/dae.ts';
 import type { ConstrainedSystem } from './constrainedSystem.ts';
+import type { StateMap } from './formulations/contract.ts';
 
 /**
  * Mechanics as a fully implicit F(t, y, y') = 0 of index 2 that keeps positions and velocities on the constraints:
@@ -22,7 +23,7 @@ import type { ConstrainedSystem } from './constrainedSystem.ts';
 /** Share of a coordinate (of at least 1) by which outside forces are differenced that have no exact derivative. */
 const DIFFERENCE = Math.sqrt(Number.EPSILON);
 
-export class StabilizedDae implements DaeProblem {
+export class StabilizedDae implements DaeProblem, StateMap {
   readonly dimension: number;
   readonly differential: Uint8Array;
 

@@ -14,6 +14,18 @@ import { ScaledLu } from './scaledLu.ts';
 /** More than four iterations cost more than a shorter step. */
 export const MOST_ITERATIONS = 4;
 
+/**
+ * Increments that do not shrink any more, with derivatives of this very step and this far below the tolerance, are
+ * rounding: near dependent constraints it is more than its share of each variable alone tells.
+ */
+const HARMLESS = 0.03;
+
+/**
+ * Constraints mix the components of y, so each is known no better than to this share of the largest: a tolerance below
+ * would shorten the step for ever.
+ */
+const KNOWN = 16 * Number.EPSILON;
+
 export class BdfCorrector {
   /** y - prediction. */
   readonly d: Float64Array;
@@ -87,7 +99,8 @@ export class BdfCorrector {
       if (!lu.factor(this.cj)) return 'slow';
       this.factoredFor = this.cj;
     }
-    return this.newton.solve(this.correct, this.tolerance, this.floor);
+    const floor = this.controlled && this.current ? Math.max(this.floor, HARMLESS) : this.floor;
+    return this.newton.solve(this.correct, this.tolerance, floor);
   }
 
   private readonly correct = (): number => {
@@ -115,21 +128,28 @@ export class BdfCorrector {
     const { rtol, atol } = this.options;
     if (!this.controlled) tightScale(y, scale);
     else for (let i = 0; i < y.length; i++) scale[i] = atol + rtol * Math.abs(y[i]!);
-    if (differential) for (let i = 0; i < y.length; i++) if (!differential[i]) scale[i]! /= Math.min(1, h);
+    if (!differential) return;
+    let largest = 0;
+    for (let i = 0; i < y.length; i++) if (differential[i]) largest = Math.max(largest, Math.abs(y[i]!));
+    for (let i = 0; i < y.length; i++) {
+      if (!differential[i]) scale[i]! /= Math.min(1, h);
+      else if (this.controlled) scale[i] = Math.max(scale[i]!, KNOWN * largest);
+    }
   }
 
-  /** Root mean square of factor x / scale over the components that are tested; infinite when not a number. */
+  /**
+   * Largest factor |x| / scale of the components that are tested; infinite when not a number. (The usual root mean
+   * square lets what moves err by more, the more stands still beside it: sixteen of the hanging board's twenty.)
+   */
   norm(x: Float64Array, factor: number): number {
     const { scale } = this;
     const { differential } = this.equations;
-    let sum = 0;
-    let count = 0;
+    let largest = 0;
     for (let i = 0; i < x.length; i++) {
       if (differential && !differential[i]) continue;
-      sum += ((factor * x[i]!) / scale[i]!) ** 2;
-      count++;
+      const size = (factor * Math.abs(x[i]!)) / scale[i]!;
+      if (!(size <= largest)) largest = size;
     }
-    const norm = Math.sqrt(sum / Math.max(1, count));
-    return norm === norm ? norm : Infinity;
+    return largest === largest ? largest : Infinity;
   }
 }

@@ -1,3 +1,4 @@
+import { stageState, weightedSum } from './combine.ts';
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { A, B3, C, D, E5 } from './dop853Coefficients.ts';
 import { allFinite, hermite } from './explicitFixed.ts';
@@ -19,6 +20,8 @@ import { firstStep, PiController, stepWithin } from './stepControl.ts';
  * relative tolerance of about 1e-14, where rounding decides.
  */
 
+/** b minus the weights of the embedded formula of order 3. */
+const E3 = A[12]!.map((b, j) => b - ({ 0: B3[0], 8: B3[1], 11: B3[2] }[j] ?? 0));
 const STAGES = 12;
 const EXTENDED = 16;
 const ORDER = 8;
@@ -45,6 +48,8 @@ export class Dop853 implements Stepper {
   private kept: Float64Array[];
   private readonly yNew: Float64Array;
   private readonly scratch: Float64Array;
+  /** Differences to the formulas of order 5 and 3. */
+  private readonly errors: readonly [Float64Array, Float64Array];
   /** Ends of the last accepted step; `y` itself may be moved afterwards. */
   private readonly y0: Float64Array;
   private readonly y1: Float64Array;
@@ -63,6 +68,7 @@ export class Dop853 implements Stepper {
     this.y = vector();
     this.yNew = vector();
     this.scratch = vector();
+    this.errors = [vector(), vector()];
     this.y0 = vector();
     this.y1 = vector();
     this.k = slopes();
@@ -134,44 +140,30 @@ export class Dop853 implements Stepper {
     return this.problem.derivative(t, y, out);
   }
 
-  /** out = from + h (sum of the first s slopes k weighted by row s of A). */
-  private combine(s: number, h: number, k: Float64Array[], from: Float64Array, out: Float64Array): void {
-    const row = A[s]!;
-    for (let i = 0; i < out.length; i++) {
-      let sum = 0;
-      for (let j = 0; j < s; j++) sum += row[j]! * k[j]![i]!;
-      out[i] = from[i]! + h * sum;
-    }
-  }
-
   /** Stages 2 to 12 and the new state. */
   private stages(h: number): boolean {
     const { k, y, yNew } = this;
     for (let s = 1; s < STAGES; s++) {
-      this.combine(s, h, k, y, yNew);
+      stageState(y, h, A[s]!, k, yNew);
       if (!this.f(this.t + C[s]! * h, yNew, k[s]!)) return false;
     }
-    this.combine(STAGES, h, k, y, yNew);
+    stageState(y, h, A[STAGES]!, k, yNew);
     return true;
   }
 
   /** Scaled error of the step, to be at most 1; infinite when anything is not a number. */
   private errorOf(h: number): number {
-    const { k, y, yNew } = this;
+    const { k, y, yNew, errors } = this;
+    const [e5, e3] = errors;
     const { rtol, atol } = this.options;
-    const b = A[STAGES]!;
+    weightedSum(E5, k, e5);
+    weightedSum(E3, k, e3);
     let fifth = 0;
     let third = 0;
     for (let i = 0; i < y.length; i++) {
-      let e5 = 0;
-      let e3 = -(B3[0] * k[0]![i]! + B3[1] * k[8]![i]! + B3[2] * k[11]![i]!);
-      for (let j = 0; j < STAGES; j++) {
-        e5 += E5[j]! * k[j]![i]!;
-        e3 += b[j]! * k[j]![i]!;
-      }
       const scale = atol + rtol * Math.max(Math.abs(y[i]!), Math.abs(yNew[i]!));
-      fifth += (e5 / scale) ** 2;
-      third += (e3 / scale) ** 2;
+      fifth += (e5[i]! / scale) ** 2;
+      third += (e3[i]! / scale) ** 2;
     }
     if (fifth === 0 && third === 0) return 0;
     const error = (h * fifth) / Math.sqrt((fifth + 0.01 * third) * y.length);
@@ -200,21 +192,19 @@ export class Dop853 implements Stepper {
   private extend(): boolean {
     const { kept: k, y0, y1, stepTaken: h, coefficients: p } = this;
     for (let s = STAGES + 1; s < EXTENDED; s++) {
-      this.combine(s, h, k, y0, this.scratch);
+      stageState(y0, h, A[s]!, k, this.scratch);
       if (!this.f(this.previousT + C[s]! * h, this.scratch, k[s]!) || !allFinite(k[s]!)) return false;
     }
+    const first = k[0]!;
+    const last = k[STAGES]!;
+    for (let c = 0; c < D.length; c++) weightedSum(D[c]!, k, p[3 + c]!);
     for (let i = 0; i < y0.length; i++) {
       const difference = y1[i]! - y0[i]!;
-      const bulge = h * k[0]![i]! - difference;
+      const bulge = h * first[i]! - difference;
       p[0]![i] = difference;
       p[1]![i] = bulge;
-      p[2]![i] = difference - h * k[STAGES]![i]! - bulge;
-      for (let c = 0; c < D.length; c++) {
-        const row = D[c]!;
-        let sum = 0;
-        for (let j = 0; j < EXTENDED; j++) sum += row[j]! * k[j]![i]!;
-        p[3 + c]![i] = h * sum;
-      }
+      p[2]![i] = difference - h * last[i]! - bulge;
+      for (let c = 0; c < D.length; c++) p[3 + c]![i]! *= h;
     }
     return true;
   }

@@ -1,3 +1,4 @@
+import { stageState, weightedSum } from './combine.ts';
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { errorNorm, firstStep, PiController, stepWithin } from './stepControl.ts';
 
@@ -46,7 +47,7 @@ export class Dopri5 implements Stepper {
   private readonly k: Float64Array[];
   private readonly yNew: Float64Array;
   private readonly error: Float64Array;
-  private readonly dense: Float64Array[];
+  private readonly dense: [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array];
   private h = 0;
   private stepTaken = 0;
   private fresh = false;
@@ -59,7 +60,7 @@ export class Dopri5 implements Stepper {
     this.yNew = vector();
     this.error = vector();
     this.k = Array.from({ length: STAGES }, vector);
-    this.dense = Array.from({ length: 5 }, vector);
+    this.dense = [vector(), vector(), vector(), vector(), vector()];
   }
 
   reset(t: number, y: Float64Array): void {
@@ -100,7 +101,7 @@ export class Dopri5 implements Stepper {
   interpolate(t: number, out: Float64Array): void {
     const s = (t - this.previousT) / this.stepTaken;
     const r = 1 - s;
-    const [r1, r2, r3, r4, r5] = this.dense as [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array];
+    const [r1, r2, r3, r4, r5] = this.dense;
     for (let i = 0; i < out.length; i++) {
       out[i] = r1[i]! + s * (r2[i]! + r * (r3[i]! + s * (r4[i]! + r * r5[i]!)));
     }
@@ -114,36 +115,29 @@ export class Dopri5 implements Stepper {
   /** Stages 2 to 7, the new state and the error estimate. The seventh stage is the next step's first. */
   private stages(h: number): boolean {
     const { k, y, yNew, error } = this;
-    const n = y.length;
     for (let s = 1; s < STAGES; s++) {
-      const row = A[s]!;
-      for (let i = 0; i < n; i++) {
-        let sum = 0;
-        for (let j = 0; j < s; j++) sum += row[j]! * k[j]![i]!;
-        yNew[i] = y[i]! + h * sum;
-      }
+      stageState(y, h, A[s]!, k, yNew);
       if (!this.f(this.t + C[s]! * h, yNew, k[s]!)) return false;
     }
-    for (let i = 0; i < n; i++) {
-      let sum = 0;
-      for (let j = 0; j < STAGES; j++) sum += E[j]! * k[j]![i]!;
-      error[i] = h * sum;
-    }
+    weightedSum(E, k, error);
+    for (let i = 0; i < y.length; i++) error[i]! *= h;
     return true;
   }
 
   private accept(h: number, limit: number, error: number): void {
-    const { k, y, yNew, dense } = this;
+    const { k, y, yNew } = this;
+    const [r1, r2, r3, r4, r5] = this.dense;
+    const first = k[0]!;
+    const last = k[6]!;
+    weightedSum(D, k, r5);
     for (let i = 0; i < y.length; i++) {
       const difference = yNew[i]! - y[i]!;
-      const bulge = h * k[0]![i]! - difference;
-      dense[0]![i] = y[i]!;
-      dense[1]![i] = difference;
-      dense[2]![i] = bulge;
-      dense[3]![i] = difference - h * k[6]![i]! - bulge;
-      let sum = 0;
-      for (let j = 0; j < STAGES; j++) sum += D[j]! * k[j]![i]!;
-      dense[4]![i] = h * sum;
+      const bulge = h * first[i]! - difference;
+      r1[i] = y[i]!;
+      r2[i] = difference;
+      r3[i] = bulge;
+      r4[i] = difference - h * last[i]! - bulge;
+      r5[i]! *= h;
     }
     this.previousT = this.t;
     this.stepTaken = h;

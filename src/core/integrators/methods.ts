@@ -1,4 +1,7 @@
-/** The methods there are, as names and facts: all that a page needs to offer them. `registry.ts` makes them. */
+/**
+ * The methods there are, as names and facts: all that a page needs to offer them. `registry.ts` makes the steppers of
+ * y' = f(t, y); `ida`, for F(t, y, y') = 0, is made where the residual is (`../simulation/motion.ts`).
+ */
 export interface MethodInfo {
   id: string;
   label: string;
@@ -18,6 +21,10 @@ export const methods = [
   { id: 'gauss', label: 'Gauss', adaptive: true, stages: [1, 2, 3, 4] },
   { id: 'radau', label: 'Radau IIA', adaptive: true, stages: [2, 3] },
   { id: 'bdf', label: 'BDF', adaptive: true },
+  { id: 'ida', label: 'IDA (BDF on the residual)', adaptive: true },
 ] as const satisfies readonly MethodInfo[];
 
 export type MethodId = (typeof methods)[number]['id'];
+
+/** Those that advance any y' = f(t, y), so every formulation. */
+export type OdeMethodId = Exclude<MethodId, 'ida'>;

@@ -6,12 +6,12 @@ import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
 import { Dop853 } from './dop853.ts';
 import { Dopri5 } from './dopri5.ts';
 import { Euler, Rk4 } from './explicitFixed.ts';
-import type { MethodId } from './methods.ts';
+import type { OdeMethodId } from './methods.ts';
 
 type Create = (problem: OdeProblem, options: StepperOptions) => Stepper;
 
-/** How each method of `methods.ts` is made. */
-const steppers: Readonly<Record<MethodId, Create>> = {
+/** How each method of `methods.ts` is made, but `ida`. */
+const steppers: Readonly<Record<OdeMethodId, Create>> = {
   dopri5: (problem, options) => new Dopri5(problem, options),
   dop853: (problem, options) => new Dop853(problem, options),
   euler: (problem, options) => new Euler(problem, options),
@@ -22,7 +22,7 @@ const steppers: Readonly<Record<MethodId, Create>> = {
   bdf: (problem, options) => new Bdf(problem, options),
 };
 
-/** A stepper by its permanent id, or undefined where there is none of that name. */
+/** A stepper of y' = f(t, y) by its permanent id, or undefined where there is none of that name. */
 export function createStepper(id: string, problem: OdeProblem, options: StepperOptions): Stepper | undefined {
-  return Object.hasOwn(steppers, id) ? steppers[id as MethodId](problem, options) : undefined;
+  return Object.hasOwn(steppers, id) ? steppers[id as OdeMethodId](problem, options) : undefined;
 }

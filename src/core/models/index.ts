@@ -1,3 +1,4 @@
+import type { Model } from './drawing.ts';
 import { casterBody } from './caster.ts';
 import { type Dimensions, dimensionsOf } from './dimensions.ts';
 import { backPlateBody, frontPlateBody } from './plate.ts';
@@ -6,12 +7,7 @@ import { type Body, writeMaterials, writeMesh } from './wavefront.ts';
 
 export type ModelName = 'rod' | 'front-plate' | 'back-plate' | 'caster';
 
-export interface Model {
-  /** Wavefront OBJ text. */
-  mdl: string;
-  /** Wavefront MTL text. */
-  mat: string;
-}
+export type { Model };
 
 const builders: Record<ModelName, (d: Dimensions) => Body> = {
   rod: rodBody,

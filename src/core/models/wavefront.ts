@@ -35,6 +35,9 @@ const materials = {
   steel: { about: 'fork, bearings, screws', Kd: [0.56, 0.58, 0.61], Ks: [0.7, 0.7, 0.7], Ns: 180 },
   urethane: { about: 'tyre', Kd: [0.87, 0.86, 0.8], Ks: [0.3, 0.3, 0.3], Ns: 70 },
   mark: { about: 'print on the tyre that shows the spin', Kd: [0.13, 0.2, 0.3], Ks: [0.15, 0.15, 0.15], Ns: 40 },
+  paint: { about: 'painted parts', Kd: [0.8, 0.81, 0.82], Ks: [0.2, 0.2, 0.2], Ns: 50 },
+  ink: { about: 'marks of a scale, lines of a construction', Kd: [0.13, 0.14, 0.16], Ks: [0.1, 0.1, 0.1], Ns: 20 },
+  cloth: { about: 'clothes of a rider', Kd: [0.46, 0.49, 0.54], Ks: [0.05, 0.05, 0.05], Ns: 10 },
   seal: { about: 'bearing seals and shadow gaps', Kd: [0.04, 0.04, 0.045], Ks: [0.1, 0.1, 0.1], Ns: 20 },
 } as const satisfies Record<string, Material>;
 

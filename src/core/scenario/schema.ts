@@ -130,9 +130,13 @@ function checkMethod(c: Checker, raw: unknown): MethodOptions {
   const projection = method.get('projection') ?? true;
   if (typeof projection !== 'boolean') c.add('method.projection', `must be true or false, not ${kindOf(projection)}`);
   const [step, maxStep, stages] = [number('step', { above: 0 }), number('maxStep', { above: 0 }), number('stages', { least: 1, most: 4, integer: true })];
+  const methodName = name('name', METHOD_NAMES, DEFAULTS.method);
+  const formulation = name('formulation', FORMULATION_NAMES, DEFAULTS.formulation);
+  const residual = methodName === 'ida';
+  if (residual && method.get('formulation') !== undefined) c.add('method.formulation', 'is for every method but ida, which takes the residual as it is; leave it out');
   return {
-    name: name('name', METHOD_NAMES, DEFAULTS.method),
-    formulation: name('formulation', FORMULATION_NAMES, DEFAULTS.formulation),
+    name: methodName,
+    ...(residual ? {} : { formulation }),
     rtol: number('rtol', { above: 0, most: 1 }) ?? DEFAULTS.rtol,
     atol: number('atol', { above: 0 }) ?? DEFAULTS.atol,
     projection: projection === true,

@@ -23,7 +23,8 @@ export interface TrackControl {
 
 export interface MethodOptions {
   name: string;
-  formulation: string;
+  /** Every method has one but `ida`, which takes the residual as it is. */
+  formulation?: string;
   rtol: number;
   atol: number;
   step?: number;

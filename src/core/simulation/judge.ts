@@ -14,7 +14,7 @@ export interface Judgement {
  * Judges a motion by the system's own equations, from coordinates and velocities alone.
  * @param parameters by name, SI
  * @param column values of a named column, or undefined
- * @returns null when a velocity is not recorded: positions alone tell neither
+ * @returns null when a velocity is not recorded (positions alone tell neither), and for a system of first order
  */
 export function judgeMotion(
   system: System,
@@ -22,7 +22,8 @@ export function judgeMotion(
   constraints: string,
   column: (name: string) => Float64Array | undefined,
 ): Judgement | null {
-  const { coordinates } = system.meta;
+  const { coordinates, order } = system.meta;
+  if (order === 1) return null;
   const positions = coordinates.map((c) => column(c.name));
   const velocities = coordinates.map((c) => column(`${c.name}_dot`));
   const rows = positions[0]?.length ?? 0;

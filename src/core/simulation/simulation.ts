@@ -2,15 +2,12 @@ import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
 import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../dynamics/events.ts';
 import { actuationOf, type Actuation } from '../dynamics/forcing.ts';
-import type { Formulation } from '../dynamics/formulations/contract.ts';
-import { formulations } from '../dynamics/formulations/formulations.ts';
-import { createFormulation } from '../dynamics/formulations/registry.ts';
+import type { StateMap } from '../dynamics/formulations/contract.ts';
 import { Projection } from '../dynamics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
-import { methods, type MethodInfo } from '../integrators/methods.ts';
-import { createStepper } from '../integrators/registry.ts';
-import { ScenarioError, type Scenario } from '../scenario/types.ts';
+import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
+import { motionOf } from './motion.ts';
 
 /** How a run ended. `reason` is a permanent id; `message` is for people. */
 export interface RunEnd {
@@ -29,6 +26,13 @@ export interface RunCounts {
   energyDrift: number;
   /** Largest constraint residual of an emitted row. */
   residual: number;
+}
+
+/** A row of an earlier run to go on from: `time` is a multiple of the output step, q and v as in that row. */
+export interface Continuation {
+  time: number;
+  q: readonly number[];
+  v: readonly number[];
 }
 
 /** Rows that a chunk starts with room for; it grows when a long step brings more. */
@@ -59,7 +63,8 @@ export class Simulation {
   private readonly n: number;
   private readonly actuation: Actuation;
   private readonly projection: Projection;
-  private readonly formulation: Formulation;
+  /** The formulation, or the residual of `ida`. */
+  private readonly formulation: StateMap;
   private readonly stepper: Stepper;
   /** Work before the stepper was last restarted. */
   private readonly earlier = zeroCounters();
@@ -86,15 +91,18 @@ export class Simulation {
   private largestKinetic = 0;
   private largestResidual = 0;
 
-  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns) {
+  /** @param from goes on from there, with the row after it, in place of a consistent start at t = 0 */
+  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns, from?: Continuation) {
     this.scenario = scenario;
     this.system = system;
     const { meta } = system;
     const n = (this.n = meta.coordinates.length);
     const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
-    this.actuation = actuationOf(scenario, meta);
-    const start = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
+    this.actuation = actuationOf(scenario, system);
+    const start = from
+      ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
+      : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     this.notes = start.notes;
     this.q = start.q;
@@ -115,10 +123,15 @@ export class Simulation {
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
-    this.formulation = this.newFormulation();
-    this.stepper = this.newStepper();
+    const { map, stepper } = motionOf(scenario.method, this.dynamics);
+    this.formulation = map;
+    this.stepper = stepper;
     this.sample = new Float64Array(this.stepper.y.length);
-    this.begin();
+    this.begin(from?.time ?? 0);
+    if (from) {
+      this.rows = 0;
+      this.emitted = Math.round(from.time / scenario.outputStep) + 1;
+    }
   }
 
   get time(): number {
@@ -151,19 +164,20 @@ export class Simulation {
     this.end ??= { reason, message, time: this.stepper.t };
   }
 
-  private begin(): void {
+  private begin(time: number): void {
     const { stepper, formulation, sample, q, v } = this;
     formulation.rebase(q, v);
     formulation.fromState(q, v, sample);
-    stepper.reset(0, sample);
+    stepper.reset(time, sample);
     this.sampleQ.set(q);
     this.sampleV.set(v);
-    this.emit(0);
+    this.emit(time);
+    this.startEnergy = this.energy;
     this.events.forEach((event, i) => {
-      const value = event.value(0, this.q, this.v);
+      const value = event.value(time, this.q, this.v);
       this.eventValues[i] = value;
       // Dependent constraints at the very start leave nothing to integrate; a corner below ground may rise.
-      if (event.id === 'constraint-singular' && !(value > 0)) this.stop(event.id, event.message(0));
+      if (event.id === 'constraint-singular' && !(value > 0)) this.stop(event.id, event.message(time));
     });
   }
 
@@ -278,7 +292,6 @@ export class Simulation {
     }
     this.system.energy(q, v, dynamics.parameters, this.energies);
     this.energy = this.energies[0]! + this.energies[1]!;
-    if (time === 0) this.startEnergy = this.energy;
     this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
     const residual = this.rowProjection.residual(q, v);
     this.largestResidual = Math.max(this.largestResidual, residual);
@@ -311,24 +324,6 @@ export class Simulation {
       grown.set(old);
       return grown;
     });
-  }
-
-  private newFormulation(): Formulation {
-    const id = this.scenario.method.formulation;
-    const formulation = createFormulation(id, this.dynamics);
-    if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
-    return formulation;
-  }
-
-  /** Every stepper on every formulation. (`ida`, on the residual as it is, would be made here, without one.) */
-  private newStepper(): Stepper {
-    const { method } = this.scenario;
-    const info: MethodInfo | undefined = methods.find((m) => m.id === method.name);
-    if (!info) throw new ScenarioError('method.name', `"${method.name}" is not available; right would be ${methods.map((m) => m.id).join(', ')}`);
-    if (method.stages !== undefined && !info.stages?.includes(method.stages)) {
-      throw new ScenarioError('method.stages', info.stages ? `${info.id} has ${info.stages.join(', ')} stages, not ${method.stages}` : `${info.id} has no choice of stages; leave it out`);
-    }
-    return createStepper(info.id, this.formulation, method)!;
   }
 }
 

@@ -60,6 +60,8 @@ export interface ConstraintSet {
   rows: number;
   /** `Omega` is rows x n, `gamma` has rows entries. */
   evaluate(q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array): void;
+  /** The system's `mechanics` and `evaluate` in one, where that is cheaper than the two. */
+  dynamics?(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array): void;
   /**
    * Exact Jacobians at given a and lambda:
    * `forceQ` = d(Omega^T lambda)/dq (n x n), `rateQ`, `rateV` = d(Omega a + gamma)/dq, /dv (rows x n),
@@ -84,6 +86,8 @@ export interface ContactMeta {
 export interface SystemMeta {
   id: string;
   title: string;
+  /** Of the differential equations, 2 unless told otherwise; of order 1 the state is q alone, and there is no energy. */
+  order?: 1 | 2;
   coordinates: readonly CoordinateMeta[];
   parameters: readonly ParameterMeta[];
   parameterSets: Readonly<Record<string, Readonly<Record<string, number>>>>;
@@ -100,6 +104,15 @@ export interface SystemView {
   poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
   /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
   contacts: readonly TrackedContact[];
+  /** Points whose paths are drawn; the contacts' where it is absent. */
+  tracks?: readonly TrackedPoint[];
+}
+
+export interface TrackedPoint {
+  body: number;
+  part: 'board' | 'front' | 'back';
+  /** Name of the parameter that is the radius (m) of a wheel about the body's y: its lowest point leaves the path, not the origin. */
+  rim?: string;
 }
 
 export interface TrackedContact {

@@ -1,4 +1,4 @@
-import type { SystemView } from '../systems/types.ts';
+import type { SystemView, TrackedPoint } from '../systems/types.ts';
 import { matrixOf, quaternionOf, slerp } from './attitude.ts';
 import type { Trajectory } from './trajectory.ts';
 
@@ -10,9 +10,9 @@ export interface ContactForce {
   vector: [number, number, number];
 }
 
-/** Ground track of one contact: rows so far, 3 floats each. */
-export interface ContactTrack {
-  part: 'front' | 'back';
+/** Path of one point: rows so far, 3 floats each. */
+export interface PointTrack {
+  part: 'board' | 'front' | 'back';
   points: Float32Array;
   times: Float64Array;
   count: number;
@@ -21,7 +21,7 @@ export interface ContactTrack {
 /**
  * A trajectory between its rows: positions interpolated linearly, attitudes on the shorter arc (so that a
  * recorded angle that jumps by a full turn makes no body spin), wheel angles from the distance rolled,
- * and the tracks of the ground contacts. Follows a trajectory that still grows.
+ * and the paths of the tracked points. Follows a trajectory that still grows.
  */
 export class MotionSampler {
   readonly poses: Float64Array;
@@ -34,8 +34,13 @@ export class MotionSampler {
   private readonly before: Float64Array;
   private readonly after: Float64Array;
   private readonly quaternions = [new Float64Array(4), new Float64Array(4), new Float64Array(4)] as const;
-  private readonly tracksByContact: ContactTrack[];
+  private readonly points: readonly TrackedPoint[];
+  private readonly pointTracks: PointTrack[];
+  /** Of the wheels that leave a path with their rims, 0 for points. */
+  private readonly rims: Float64Array;
   private readonly radii: Float64Array;
+  /** Where each contact was at the row before, x and y. */
+  private readonly last: Float64Array;
   /** Angle rolled at each row, per contact. */
   private rolled: Float64Array[];
   private tracked = 0;
@@ -52,7 +57,10 @@ export class MotionSampler {
     this.after = new Float64Array(size);
     this.wheelAngles = new Float64Array(view.contacts.length);
     this.radii = Float64Array.from(view.contacts, (c) => parameters[c.radius] ?? 0);
-    this.tracksByContact = view.contacts.map((c) => ({ part: c.part, points: new Float32Array(0), times: new Float64Array(0), count: 0 }));
+    this.last = new Float64Array(2 * view.contacts.length);
+    this.points = view.tracks ?? view.contacts;
+    this.rims = Float64Array.from(this.points, (point) => (point.rim === undefined ? 0 : (parameters[point.rim] ?? 0)));
+    this.pointTracks = this.points.map(({ part }) => ({ part, points: new Float32Array(0), times: new Float64Array(0), count: 0 }));
     this.rolled = view.contacts.map(() => new Float64Array(0));
   }
 
@@ -73,10 +81,10 @@ export class MotionSampler {
     return true;
   }
 
-  /** Tracks of the contacts over all rows so far; the arrays are replaced when they grow. */
-  tracks(): readonly ContactTrack[] {
+  /** Paths over all rows so far; the arrays are replaced when they grow. */
+  tracks(): readonly PointTrack[] {
     this.follow();
-    return this.tracksByContact;
+    return this.pointTracks;
   }
 
   /** Constraint forces at a time, after `sample(time)`; empty where the multipliers are not known. */
@@ -130,52 +138,67 @@ export class MotionSampler {
     }
   }
 
-  /** Extends tracks and rolled angles to the rows that have come since. */
+  /** Extends paths and rolled angles to the rows that have come since. */
   private follow(): void {
-    const { trajectory, view } = this;
+    const { trajectory, view, points } = this;
     const rows = trajectory.length;
-    if (rows === this.tracked || view.contacts.length === 0) return;
+    if (rows === this.tracked || points.length + view.contacts.length === 0) return;
     this.reserve(rows);
     const t = trajectory.column('t')!;
     for (let row = this.tracked; row < rows; row++) {
       this.posesAt(row, this.after);
-      view.contacts.forEach((contact, c) => this.extend(c, 12 * contact.body, row, t[row]!));
+      for (let i = 0; i < points.length; i++) this.extend(i, 12 * points[i]!.body, row, t[row]!);
+      for (let c = 0; c < view.contacts.length; c++) this.roll(c, 12 * view.contacts[c]!.body, row);
     }
     this.tracked = rows;
   }
 
-  private extend(c: number, o: number, row: number, time: number): void {
-    const track = this.tracksByContact[c]!;
+  private extend(i: number, o: number, row: number, time: number): void {
+    const track = this.pointTracks[i]!;
     const { points } = track;
     const pose = this.after;
-    for (let i = 0; i < 3; i++) points[3 * row + i] = pose[o + i]!;
+    // From the hub down in the wheel's plane: -z less its part along the axle y.
+    const [ax, ay, az] = [pose[o + 4]!, pose[o + 7]!, pose[o + 10]!];
+    const level = Math.hypot(ax, ay);
+    const reach = level > 1e-9 ? this.rims[i]! / level : 0;
+    points[3 * row] = pose[o]! + reach * az * ax;
+    points[3 * row + 1] = pose[o + 1]! + reach * az * ay;
+    points[3 * row + 2] = pose[o + 2]! - reach * (1 - az * az);
     track.times[row] = time;
     track.count = row + 1;
+  }
+
+  private roll(c: number, o: number, row: number): void {
+    const { last, after: pose } = this;
     const angles = this.rolled[c]!;
+    const dx = pose[o]! - last[2 * c]!;
+    const dy = pose[o + 1]! - last[2 * c + 1]!;
+    last[2 * c] = pose[o]!;
+    last[2 * c + 1] = pose[o + 1]!;
     if (row === 0) return;
     // Heading e_y x z of the wheel on the ground; its length shrinks as the wheel lies down, and so does rolling.
     const hx = pose[o + 7]!;
     const hy = -pose[o + 4]!;
     const length = Math.hypot(hx, hy);
-    const dx = points[3 * row]! - points[3 * row - 3]!;
-    const dy = points[3 * row + 1]! - points[3 * row - 2]!;
     const distance = length > 1e-9 ? (hx * dx + hy * dy) / length : 0;
     angles[row] = angles[row - 1]! + (this.radii[c]! > 0 ? distance / this.radii[c]! : 0);
   }
 
   private reserve(rows: number): void {
-    for (let c = 0; c < this.tracksByContact.length; c++) {
-      const track = this.tracksByContact[c]!;
+    for (const track of this.pointTracks) {
       if (track.times.length >= rows) continue;
       const room = Math.max(rows, 2 * track.times.length, 1024);
       const points = new Float32Array(3 * room);
       points.set(track.points.subarray(0, 3 * track.count));
       const times = new Float64Array(room);
       times.set(track.times.subarray(0, track.count));
-      const angles = new Float64Array(room);
-      angles.set(this.rolled[c]!.subarray(0, track.count));
       track.points = points;
       track.times = times;
+    }
+    for (let c = 0; c < this.rolled.length; c++) {
+      if (this.rolled[c]!.length >= rows) continue;
+      const angles = new Float64Array(Math.max(rows, 2 * this.rolled[c]!.length, 1024));
+      angles.set(this.rolled[c]!.subarray(0, this.tracked));
       this.rolled[c] = angles;
     }
   }

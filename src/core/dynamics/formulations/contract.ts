@@ -1,10 +1,7 @@
 import type { OdeProblem } from '../../integrators/contract.ts';
 
-/**
- * What every formulation is: mechanics made into `y' = f(t, y)`, which any stepper can advance. It decides how
- * the acceleration is obtained and which numbers are integrated; it knows nothing of steps.
- */
-export interface Formulation extends OdeProblem {
+/** Which numbers are integrated: how a state becomes y and comes back. */
+export interface StateMap {
   /** y of a state whose velocities meet the constraints. */
   fromState(q: Float64Array, v: Float64Array, y: Float64Array): void;
   /** q and v of y; also of y between the ends of a step. */
@@ -15,3 +12,9 @@ export interface Formulation extends OdeProblem {
    */
   rebase(q: Float64Array, v: Float64Array): boolean;
 }
+
+/**
+ * What every formulation is: mechanics made into `y' = f(t, y)`, which any stepper can advance. It decides how
+ * the acceleration is obtained and which numbers are integrated; it knows nothing of steps.
+ */
+export interface Formulation extends OdeProblem, StateMap {}

@@ -276,6 +276,111 @@ export function rollingConstraints(
   gamma[1] = phi_r_dot*(x17*x20 + x18*x20 - x15*x19*x7/Math.pow(x11, 1.5)) + theta_dot*(x17 + x18);
 }
 
+/** `mechanics` and `rollingConstraints` at once, for less than both. */
+export function rollingDynamics(
+  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  const theta = q[2]!;
+  const phi_f = q[3]!;
+  const phi_r = q[4]!;
+  const x_dot = v[0]!;
+  const y_dot = v[1]!;
+  const theta_dot = v[2]!;
+  const phi_f_dot = v[3]!;
+  const phi_r_dot = v[4]!;
+  const l1 = p[0]!;
+  const l2 = p[1]!;
+  const m1 = p[2]!;
+  const m2 = p[3]!;
+  const J = p[4]!;
+  const a = p[5]!;
+  const c = p[6]!;
+  const x0 = 2*m2;
+  const x1 = m1 + x0;
+  const x2 = Math.cos(theta);
+  const x3 = l2*m2;
+  const x4 = x2*x3;
+  const x5 = phi_f*x4;
+  const x6 = phi_r*x4;
+  const x7 = Math.sin(theta);
+  const x8 = x3*x7;
+  const x9 = phi_f*x8;
+  const x10 = phi_r*x8;
+  const x11 = (l1 * l1);
+  const x12 = (l2 * l2);
+  const x13 = m2*x12;
+  const x14 = -x8;
+  const x15 = l1*x3;
+  const x16 = phi_f_dot*x4;
+  const x17 = phi_r_dot*x4;
+  const x18 = phi_f_dot*x8;
+  const x19 = phi_r_dot*x8;
+  const x20 = theta_dot*x5;
+  const x21 = theta_dot*x6;
+  const x22 = x4*x_dot;
+  const x23 = x8*y_dot;
+  const x24 = x22 + x23;
+  const x25 = (theta_dot * theta_dot);
+  const x26 = theta_dot*x22 + theta_dot*x23 - theta_dot*x24;
+  const x27 = Math.sin(phi_f);
+  const x28 = Math.tan(a);
+  const x29 = theta + Math.atan(x27*x28);
+  const x30 = Math.sin(x29);
+  const x31 = Math.cos(x29);
+  const x32 = (x28 * x28);
+  const x33 = (x27 * x27)*x32 + 1;
+  const x34 = Math.sin(phi_r);
+  const x35 = theta + Math.atan(x28*x34);
+  const x36 = Math.sin(x35);
+  const x37 = Math.cos(x35);
+  const x38 = x32*(x34 * x34) + 1;
+  const x39 = x31*x_dot;
+  const x40 = x30*y_dot;
+  const x41 = Math.cos(phi_f);
+  const x42 = l1*theta_dot*x32;
+  const x43 = x28*x41/x33;
+  const x44 = x37*x_dot;
+  const x45 = x36*y_dot;
+  const x46 = Math.cos(phi_r);
+  const x47 = x28*x46/x38;
+  massMatrix.fill(0);
+  massMatrix[0] = x1;
+  massMatrix[2] = -x5 - x6;
+  massMatrix[3] = x14;
+  massMatrix[4] = x14;
+  massMatrix[6] = x1;
+  massMatrix[7] = -x10 - x9;
+  massMatrix[8] = x4;
+  massMatrix[9] = x4;
+  massMatrix[10] = -x5 - x6;
+  massMatrix[11] = -x10 - x9;
+  massMatrix[12] = J + (phi_f * phi_f)*x13 + (phi_r * phi_r)*x13 + x0*x11;
+  massMatrix[13] = x15;
+  massMatrix[14] = -x15;
+  massMatrix[15] = x14;
+  massMatrix[16] = x4;
+  massMatrix[17] = x15;
+  massMatrix[18] = x13;
+  massMatrix[20] = x14;
+  massMatrix[21] = x4;
+  massMatrix[22] = -x15;
+  massMatrix[24] = x13;
+  h[0] = -c*x_dot + l2*m2*phi_f_dot*theta_dot*x2 + l2*m2*phi_r_dot*theta_dot*x2 - theta_dot*(theta_dot*x10 + theta_dot*x9 - x16 - x17);
+  h[1] = -c*y_dot + l2*m2*phi_f_dot*theta_dot*x7 + l2*m2*phi_r_dot*theta_dot*x7 - theta_dot*(-x18 - x19 - x20 - x21);
+  h[2] = -2*c*theta_dot*x11 + l2*m2*phi_f*theta_dot*x7*x_dot + l2*m2*phi_r*theta_dot*x7*x_dot - phi_f_dot*(2*m2*phi_f*theta_dot*x12 - x24) - phi_r_dot*(2*m2*phi_r*theta_dot*x12 - x24) - theta_dot*(x10*x_dot - x5*y_dot - x6*y_dot + x9*x_dot) - x16*x_dot - x17*x_dot - x18*y_dot - x19*y_dot - x20*y_dot - x21*y_dot;
+  h[3] = m2*phi_f*x12*x25 - x26;
+  h[4] = m2*phi_r*x12*x25 - x26;
+  omega.fill(0);
+  omega[0] = x30;
+  omega[1] = -x31;
+  omega[2] = -l1/Math.sqrt(x33);
+  omega[5] = x36;
+  omega[6] = -x37;
+  omega[7] = l1/Math.sqrt(x38);
+  gamma[0] = phi_f_dot*(x27*x41*x42/Math.pow(x33, 1.5) + x39*x43 + x40*x43) + theta_dot*(x39 + x40);
+  gamma[1] = phi_r_dot*(-x34*x42*x46/Math.pow(x38, 1.5) + x44*x47 + x45*x47) + theta_dot*(x44 + x45);
+}
+
 /** Directions Q2, Q3, Q4, V0, V1, V2, V3, V4 of `rollingJacobians`. */
 function rollingJacobians0(
   q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,

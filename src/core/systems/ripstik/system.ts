@@ -23,6 +23,10 @@ const rolling: ConstraintSet = {
   label: 'rolling',
   rows: 4,
   evaluate: equations.rollingConstraints,
+  dynamics(q, v, p, massMatrix, h, omega, gamma) {
+    equations.rollingDynamics(q, v, p, massMatrix, h, omega, gamma);
+    addWheelDrag(q, v, p, h);
+  },
   jacobians: equations.rollingJacobians,
   contact,
 };
@@ -32,19 +36,26 @@ const report: ConstraintSet = {
   label: 'report',
   rows: 4,
   evaluate: equations.reportConstraints,
+  dynamics(q, v, p, massMatrix, h, omega, gamma) {
+    equations.reportDynamics(q, v, p, massMatrix, h, omega, gamma);
+    addWheelDrag(q, v, p, h);
+  },
   jacobians: equations.reportJacobians,
   contact,
 };
+
+function addWheelDrag(q: Float64Array, v: Float64Array, p: Float64Array, h: Float64Array): void {
+  if (p[WHEEL_DRAG] === 0) return;
+  equations.wheelDragForce(q, v, p, force);
+  for (let i = 0; i < n; i++) h[i]! += force[i]!;
+}
 
 /** The board: generated equations, with the wheel drag added only where there is any (see the derivation). */
 export const ripstik: System = {
   ...ripstikView,
   mechanics(q, v, p, massMatrix, h) {
     equations.mechanics(q, v, p, massMatrix, h);
-    if (p[WHEEL_DRAG] !== 0) {
-      equations.wheelDragForce(q, v, p, force);
-      for (let i = 0; i < n; i++) h[i]! += force[i]!;
-    }
+    addWheelDrag(q, v, p, h);
   },
   jacobians(q, v, a, p, dq, dv) {
     equations.jacobians(q, v, a, p, dq, dv);

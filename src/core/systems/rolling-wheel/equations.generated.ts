@@ -61,6 +61,35 @@ export function rollingConstraints(
   gamma[1] = -x0*x2;
 }
 
+/** `mechanics` and `rollingConstraints` at once, for less than both. */
+export function rollingDynamics(
+  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  const theta = q[2]!;
+  const theta_dot = v[2]!;
+  const phi_dot = v[3]!;
+  const m = p[0]!;
+  const rho = p[1]!;
+  const Jroll = p[2]!;
+  const Jspin = p[3]!;
+  const x0 = rho*Math.cos(theta);
+  const x1 = rho*Math.sin(theta);
+  const x2 = phi_dot*theta_dot;
+  massMatrix.fill(0);
+  massMatrix[0] = m;
+  massMatrix[5] = m;
+  massMatrix[10] = Jroll;
+  massMatrix[15] = Jspin;
+  h.fill(0);
+  omega.fill(0);
+  omega[0] = 1;
+  omega[3] = -x0;
+  omega[5] = 1;
+  omega[7] = -x1;
+  gamma[0] = x1*x2;
+  gamma[1] = -x0*x2;
+}
+
 /** Directions Q2, V2, V3 of `rollingJacobians`. */
 function rollingJacobians0(
   q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,

@@ -86,6 +86,35 @@ export function rollingConstraints(
   gamma.fill(0);
 }
 
+/** `mechanics` and `rollingConstraints` at once, for less than both. */
+export function rollingDynamics(
+  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  const psi = q[2]!;
+  const psi_dot = v[2]!;
+  const rho = p[0]!;
+  const m = p[1]!;
+  const mP = p[2]!;
+  const Jspin = p[3]!;
+  const L = p[4]!;
+  const gravity = p[5]!;
+  const x0 = L*mP;
+  const x1 = x0*Math.cos(psi);
+  massMatrix.fill(0);
+  massMatrix[0] = m + mP;
+  massMatrix[2] = -x0*Math.sin(psi);
+  massMatrix[4] = Jspin;
+  massMatrix[6] = -x0*Math.sin(psi);
+  massMatrix[8] = (1.3333333333333333)*(L * L)*mP;
+  h.fill(0);
+  h[0] = (psi_dot * psi_dot)*x1;
+  h[2] = gravity*x1;
+  omega.fill(0);
+  omega[0] = 1;
+  omega[1] = -rho;
+  gamma.fill(0);
+}
+
 /** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
 export function rollingJacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,

@@ -1,0 +1,45 @@
+import type { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
+import type { StateMap } from '../dynamics/formulations/contract.ts';
+import { formulations } from '../dynamics/formulations/formulations.ts';
+import { createFormulation } from '../dynamics/formulations/registry.ts';
+import { StabilizedDae } from '../dynamics/stabilizedDae.ts';
+import type { Stepper } from '../integrators/contract.ts';
+import { Ida } from '../integrators/ida.ts';
+import { methods, type MethodInfo } from '../integrators/methods.ts';
+import { createStepper } from '../integrators/registry.ts';
+import { ScenarioError, type MethodOptions } from '../scenario/types.ts';
+
+/** What a run advances in time, and what its y means. */
+export interface Motion {
+  map: StateMap;
+  stepper: Stepper;
+}
+
+/**
+ * Every stepper on every formulation, or `ida` on the residual as it is.
+ *
+ * A step of `ida` can pass over a state with dependent constraints: there only the run's event (or projection) stops it.
+ *
+ * @throws ScenarioError
+ */
+export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Motion {
+  const info = infoOf(method);
+  if (info.id === 'ida') {
+    if (method.formulation !== undefined) throw new ScenarioError('method.formulation', 'is for every method but ida, which takes the residual as it is');
+    const dae = new StabilizedDae(dynamics);
+    return { map: dae, stepper: new Ida(dae, method) };
+  }
+  const id = method.formulation ?? formulations[0].id;
+  const formulation = createFormulation(id, dynamics);
+  if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
+  return { map: formulation, stepper: createStepper(info.id, formulation, method)! };
+}
+
+function infoOf({ name, stages }: MethodOptions): MethodInfo {
+  const info: MethodInfo | undefined = methods.find((m) => m.id === name);
+  if (!info) throw new ScenarioError('method.name', `"${name}" is not available; right would be ${methods.map((m) => m.id).join(', ')}`);
+  if (stages !== undefined && !info.stages?.includes(stages)) {
+    throw new ScenarioError('method.stages', info.stages ? `${info.id} has ${info.stages.join(', ')} stages, not ${stages}` : `${info.id} has no choice of stages; leave it out`);
+  }
+  return info;
+}

@@ -1,0 +1,114 @@
+import { describe, expect, test } from 'vitest';
+import { Box3, type Group, Vector3 } from 'three';
+import { drawingOf } from '../../src/core/models/drawings.ts';
+import { modelsOf } from '../../src/core/models/roster.ts';
+import { ball, box, pipe, torus, tube } from '../../src/core/models/solids.ts';
+import type { Triangle } from '../../src/core/models/shapes.ts';
+import { along } from '../../src/core/models/solids.ts';
+import { spokedWheel } from '../../src/core/models/wheels.ts';
+import type { SystemMeta } from '../../src/core/systems/types.ts';
+import { systemViews } from '../../src/core/systems/views.ts';
+import { parsePair } from '../../src/scene/bodies.ts';
+import { checkMaterials, checkMesh } from '../../src/scene/meshText.ts';
+
+const defaults = (meta: SystemMeta): Record<string, number> => Object.fromEntries(meta.parameters.map((p) => [p.name, p.default]));
+
+/** Bounds of one body or fixture in its own frame, as the scene reads them; of one group if named. */
+function boundsOf(meta: SystemMeta, parameters: Readonly<Record<string, number>>, model: string, group?: string): Box3 {
+  const parsed: Group = parsePair(drawingOf(meta, parameters).pairs[model]!, model);
+  const box = new Box3();
+  for (const child of parsed.children) if (group === undefined || child.name === group) box.expandByObject(child, true);
+  return box;
+}
+
+/** Six times the enclosed volume: positive when faces look outwards. */
+const volume = (triangles: readonly Triangle[]): number =>
+  triangles.reduce((sum, [a, b, c]) => sum + new Vector3(...a).dot(new Vector3(...b).cross(new Vector3(...c))), 0) / 6;
+
+/** Edges that no other face runs the other way along: none where a solid is closed. */
+function openEdges(triangles: readonly Triangle[]): number {
+  const key = (p: readonly number[]): string => p.map((x) => (Math.round(1e7 * x) || 0).toString()).join(' ');
+  const edges = new Map<string, number>();
+  for (const [a, b, c] of triangles) {
+    const corners = [key(a), key(b), key(c)];
+    if (new Set(corners).size < 3) continue;
+    corners.forEach((from, i) => {
+      const to = corners[(i + 1) % 3]!;
+      const [name, way] = from < to ? [`${from}|${to}`, 1] : [`${to}|${from}`, -1];
+      edges.set(name, (edges.get(name) ?? 0) + way);
+    });
+  }
+  return [...edges.values()].filter((n) => n !== 0).length;
+}
+
+describe('solids are closed, face outwards and have the size they are given', () => {
+  const cases: readonly [string, Triangle[], number][] = [
+    ['box', box([0, 0, 0], [1, 2, 3], 1e-6), 6],
+    ['tube', tube([1, 2, 3], [1, 2, 5], 0.5, 256), 2 * Math.PI * 0.25],
+    ['slanted tube', tube([0, 0, 0], [1, 2, 2], 0.5, 256), 3 * Math.PI * 0.25],
+    ['cone', tube([0, 0, 0], [0, 0, 3], 1, 256, 0.5), (Math.PI * 3 * (1 + 0.5 + 0.25)) / 3],
+    ['ball', ball([5, 5, 5], 1, 128), (4 / 3) * Math.PI],
+    ['ring', torus(along([0, 1, 0], [3, 0, 0]), 1, 0.1, 128), 2 * Math.PI ** 2 * 0.01],
+  ];
+  test.each(cases)('%s', (_, triangles, expected) => {
+    expect(openEdges(triangles)).toBe(0);
+    expect(Math.abs(volume(triangles) / expected - 1)).toBeLessThan(0.06);
+  });
+
+  test('a pipe and every part of a wheel but the tread, which is in two pieces', () => {
+    expect(openEdges(pipe([[0, 0, 0], [1, 0, 0], [1, 1, 0]], 0.1))).toBe(0);
+    const wheel = spokedWheel({ radius: 1, halfWidth: 0.1, spokes: 5, spokeRadius: 0.02 });
+    const whole = wheel.filter(({ group }) => group !== 'mark').flatMap((part) => part.triangles);
+    expect(openEdges(whole)).toBe(0);
+    expect(volume(whole)).toBeGreaterThan(0);
+  });
+});
+
+describe.each(Object.values(systemViews).map((view) => [view.meta.id, view] as const))('%s', (_, { meta, poses }) => {
+  const parameters = defaults(meta);
+  const variants: Record<string, Record<string, number>> = {
+    defaults: parameters,
+    'all zero': Object.fromEntries(Object.keys(parameters).map((name) => [name, 0])),
+    'all negative': Object.fromEntries(Object.entries(parameters).map(([name, x]) => [name, -x])),
+    'three times as large': Object.fromEntries(Object.entries(parameters).map(([name, x]) => [name, 3 * x])),
+    nothing: {},
+    'not numbers': Object.fromEntries(Object.keys(parameters).map((name, i) => [name, [NaN, Infinity, -Infinity][i % 3]!])),
+  };
+
+  test.each(Object.entries(variants))('every pair can be read by the scene: %s', (__, values) => {
+    const { pairs, bodies, fixtures } = drawingOf(meta, values);
+    expect(bodies.map(({ id, part }) => ({ id, part }))).toEqual(meta.bodies.map(({ id, part }) => ({ id, part })));
+    for (const { model } of [...bodies, ...fixtures]) {
+      const { mdl, mat } = pairs[model]!;
+      checkMesh(mdl, `${model}.mdl`);
+      checkMaterials(mat, `${model}.mat`);
+      expect(`${mdl}${mat}`).not.toMatch(/NaN|Infinity|undefined/);
+      const known = new Set([...mat.matchAll(/^newmtl (.+)$/gm)].map((m) => m[1]));
+      for (const [, used] of mdl.matchAll(/^usemtl (.+)$/gm)) expect(known).toContain(used);
+    }
+    expect(JSON.stringify(drawingOf(meta, values)) === JSON.stringify(drawingOf(meta, values))).toBe(true);
+  });
+
+  test('has a drawing of its own, whose models a person can replace by name', () => {
+    const { pairs, bodies, fixtures, stage } = drawingOf(meta, parameters);
+    expect(Object.keys(pairs).sort()).toEqual([...new Set([...bodies, ...fixtures].map((b) => b.model))].sort());
+    expect(modelsOf(meta)).toEqual([...new Set(bodies.map((b) => b.model))]);
+    expect(Object.values(pairs).some(({ mdl }) => mdl.startsWith('# Marker at the origin'))).toBe(false);
+    expect(stage.subject).toBeLessThan(bodies.length);
+  });
+
+  test('what moves with a pose stands on the floor or above it, as it starts', () => {
+    const q = Float64Array.from(meta.coordinates, (c) => c.rest ?? 0);
+    const out = new Float64Array(12 * meta.bodies.length);
+    poses(q, Float64Array.from(meta.parameters, (p) => p.default), out);
+    expect(out.every(Number.isFinite)).toBe(true);
+    expect([...out].some((x) => x !== 0)).toBe(true);
+  });
+
+  test('keeps within what software WebGL can draw', () => {
+    const faces = Object.values(drawingOf(meta, parameters).pairs).reduce((sum, { mdl }) => sum + (mdl.match(/^f /gm)?.length ?? 0), 0);
+    expect(faces).toBeLessThan(20_000);
+  });
+});
+
+export { boundsOf };

@@ -394,14 +394,14 @@ function rollingJacobians0(
   const phi_f_dot = v[3]!;
   const phi_r_dot = v[4]!;
   const l1 = p[0]!;
-  const a = p[5]!;
+  const a_ = p[5]!;
   const a0 = a[0]!;
   const a1 = a[1]!;
   const a2 = a[2]!;
   const lambda0 = lambda[0]!;
   const lambda1 = lambda[1]!;
   const x0 = Math.sin(phi_f);
-  const x1 = Math.tan(a);
+  const x1 = Math.tan(a_);
   const x2 = theta + Math.atan(x0*x1);
   const x3 = Math.sin(x2);
   const x4 = Math.sin(phi_r);

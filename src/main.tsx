@@ -15,6 +15,7 @@ const app = createApp(
   {
     run: runWorker,
     csv: () => new Worker(new URL('./io/csv.worker.ts', import.meta.url), { type: 'module' }),
+    control: () => new Worker(new URL('./worker/control.worker.ts', import.meta.url), { type: 'module' }),
   },
   { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches },
   comparison,

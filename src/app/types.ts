@@ -1,6 +1,7 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Contender } from './comparison.ts';
+import type { ControlClient } from './controlClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -115,6 +116,8 @@ export interface AppActions {
   /** First run of a visit: plays by itself unless the person asks for less motion. */
   open(): void;
   run(): void;
+  /** The motion being watched goes on from the playback time with the draft's controller and inputs. */
+  retune(): void;
   cancel(): void;
   /** Back to the case the draft came from. */
   reset(): void;
@@ -162,4 +165,6 @@ export interface App {
   samples: readonly SampleInfo[];
   systems: readonly { id: string; title: string }[];
   systemOf(id: string): SystemView | undefined;
+  /** Linearization and design, computed aside. */
+  control: ControlClient;
 }

@@ -42,6 +42,8 @@ export class BdfCorrector {
   private readonly lu: ScaledLu;
   /** The matrix belongs to this cj; 0 if there is none. */
   private factoredFor = 0;
+  /** The last solve made its matrix. */
+  private fresh = false;
   private t = 0;
   private cj = 0;
   private readonly predicted: Float64Array;
@@ -89,7 +91,10 @@ export class BdfCorrector {
     this.t = t;
     this.cj = ((1 - equations.kappa[history.order]!) * GAMMA[history.order]!) / history.spacing;
     this.scaleBy(predicted, history.spacing);
-    if (this.factoredFor !== this.cj) {
+    // How fast the iteration converged with a new matrix says nothing of the next step, when it is old.
+    if (this.fresh) this.newton.reset();
+    this.fresh = this.factoredFor !== this.cj;
+    if (this.fresh) {
       const renew = this.factoredFor === 0;
       this.factoredFor = 0;
       const known = equations.matrix(t, y, slope, this.cj, renew, lu.matrix);

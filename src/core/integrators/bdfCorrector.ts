@@ -18,13 +18,13 @@ export const MOST_ITERATIONS = 4;
  * Increments that do not shrink any more, with derivatives of this very step and this far below the tolerance, are
  * rounding: near dependent constraints it is more than its share of each variable alone tells.
  */
-const HARMLESS = 0.03;
+const HARMLESS = 0.1;
 
 /**
  * Constraints mix the components of y, so each is known no better than to this share of the largest: a tolerance below
- * would shorten the step for ever.
+ * would shorten the step for ever. Rounding grows a thousandfold until `constraint-singular` ends a run.
  */
-const KNOWN = 16 * Number.EPSILON;
+const KNOWN = 256 * Number.EPSILON;
 
 export class BdfCorrector {
   /** y - prediction. */

@@ -3,10 +3,11 @@ import { cases } from '../../src/core/cases/cases.ts';
 import type { Forcing } from '../../src/core/dynamics/constrainedSystem.ts';
 import type { StateMap } from '../../src/core/dynamics/formulations/contract.ts';
 import { formulations } from '../../src/core/dynamics/formulations/formulations.ts';
-import type { StepFailure, Stepper } from '../../src/core/integrators/contract.ts';
-import { methods, type MethodInfo } from '../../src/core/integrators/methods.ts';
+import type { Stepper } from '../../src/core/integrators/contract.ts';
+import { methods } from '../../src/core/integrators/methods.ts';
 import { motionOf } from '../../src/core/simulation/motion.ts';
 import { systems } from '../../src/core/systems/registry.ts';
+import { distance, run } from '../convergence/problems.ts';
 import { runOf, type FinishedRun } from '../helpers.ts';
 import { mechanicsOf } from '../mechanics.ts';
 import { pairs, settings, type Pair } from './pairs.ts';
@@ -34,19 +35,6 @@ function benchOf({ method, sharp }: Pair, forcing?: Forcing): Bench {
   map.fromState(q, v, y);
   stepper.reset(0, y);
   return { stepper, map, q, v, y };
-}
-
-function run(stepper: Stepper, limit: number, afterStep: () => void = () => {}): StepFailure | null {
-  for (let i = 0; i < 1e6 && stepper.t < limit; i++) {
-    const failure = stepper.step(limit);
-    if (failure) return failure;
-    afterStep();
-  }
-  return null;
-}
-
-function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  return Math.max(...Array.from(a, (x, i) => Math.abs(x - b[i]!)));
 }
 
 /** Times that no stepper has a reason to step to, and the state there by an independent sharp run. */

@@ -2,6 +2,7 @@ import type { System } from './types.ts';
 import { cartPendulum } from './cart-pendulum/system.ts';
 import { casterRotation } from './caster-rotation/system.ts';
 import { casterboardRobot } from './casterboard-robot/system.ts';
+import { chaplyginSleigh } from './chaplygin-sleigh/system.ts';
 import { ripstik } from './ripstik/system.ts';
 import { rollingWheel } from './rolling-wheel/system.ts';
 import { stiffDecay } from './stiff-decay/system.ts';
@@ -16,4 +17,5 @@ export const systems: Readonly<Record<string, System>> = {
   'stiff-decay': stiffDecay,
   'wheel-pendulum': wheelPendulum,
   'casterboard-robot': casterboardRobot,
+  'chaplygin-sleigh': chaplyginSleigh,
 };

@@ -45,8 +45,8 @@ describe('Pleiades: seven stars with close encounters', () => {
       return distance(stepper.y, end);
     });
     // What is off by the tolerance before an encounter is off by thousands of it after.
-    expect(errors[0]!, String(errors)).toBeLessThan(5e-2);
-    expect(errors[1]!, String(errors)).toBeLessThan(1e-3);
+    expect(errors[0]!, String(errors)).toBeLessThan(5e-3);
+    expect(errors[1]!, String(errors)).toBeLessThan(1e-4);
     expect(errors[1]!, String(errors)).toBeLessThan(0.2 * errors[0]!);
   });
 });

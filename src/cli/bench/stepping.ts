@@ -1,0 +1,92 @@
+import { cases } from '../../core/cases/cases.ts';
+import { methods } from '../../core/integrators/methods.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
+import { Simulation } from '../../core/simulation/simulation.ts';
+import { systems } from '../../core/systems/registry.ts';
+import { Checksum, processorTime, timesOf, type MeasureOptions, type Times } from './measure.ts';
+import { scenarioOf } from './states.ts';
+
+/** The boards that methods are timed on: the report's hanging one, and the rolling one just after its release. */
+export const boards = {
+  hanging: { ...caseNamed('hanging'), duration: 2 },
+  coasting: { version: 1, system: 'ripstik', initial: { X_dot: 1, alpha: '0.5 deg' }, duration: 0.5 },
+} as const satisfies Record<string, ScenarioFile>;
+
+export type Board = keyof typeof boards;
+
+/** Of fixed-step methods, s; adaptive ones take the default tolerances. */
+export const FIXED_STEP = 0.001;
+
+export interface SteppingReport {
+  /** Accepted steps per second of processor time: what a run does, with projection, events and rows. */
+  stepsPerSecond: number;
+  quartiles: readonly [number, number];
+  /** Seconds of motion per second of processor time. */
+  realTime: number;
+  steps: number;
+  evaluations: number;
+  jacobians: number;
+  rejected: number;
+  /** Microseconds per step. */
+  perStep: Times;
+  /** Of the last row. */
+  checksum: string;
+}
+
+export function caseNamed(id: string): ScenarioFile {
+  return cases.find((c) => c.id === id)!.scenario;
+}
+
+/** A run to its end, or until `enough`; the clock covers the run alone, not its preparation. */
+export function timedRun(raw: unknown, enough: (simulation: Simulation) => boolean = () => false) {
+  const scenario = scenarioOf(raw);
+  const simulation = new Simulation(scenario, systems[scenario.system]!);
+  const wall = performance.now();
+  const from = processorTime();
+  simulation.advance(() => enough(simulation) && (simulation.stop('enough', 'cut short'), true));
+  const seconds = processorTime() - from;
+  return { simulation, seconds, wallSeconds: (performance.now() - wall) / 1000 };
+}
+
+/** Steps per second of every method on one board. */
+export function stepping(board: Board, options: MeasureOptions): Record<string, SteppingReport> {
+  return Object.fromEntries(methods.map(({ id, adaptive }) => [id, steppingOf(id, adaptive, board, options)]));
+}
+
+function steppingOf(name: string, adaptive: boolean, board: Board, options: MeasureOptions): SteppingReport {
+  const raw = { ...boards[board], method: adaptive ? { name } : { name, step: FIXED_STEP } };
+  const warm = processorTime();
+  let first = timedRun(raw);
+  while (processorTime() - warm < 4 * options.seconds) first = timedRun(raw);
+  const { counts, end, rows } = first.simulation;
+  if (end!.reason !== 'end') throw new Error(`${name} on the ${board} board: ${end!.message}`);
+  const sum = new Checksum();
+  for (const column of first.simulation.takeChunk().columns) sum.add(column[rows - 1]!);
+  const processor: number[] = [];
+  const wall: number[] = [];
+  for (let sample = 0; sample < options.samples; sample++) {
+    let [seconds, wallSeconds, steps] = [0, 0, 0];
+    // Short runs are put together until a sample is long enough for the clock.
+    while (seconds < options.seconds) {
+      const run = timedRun(raw);
+      seconds += run.seconds;
+      wallSeconds += run.wallSeconds;
+      steps += counts.steps;
+    }
+    processor.push((1e6 * seconds) / steps);
+    wall.push((1e6 * wallSeconds) / steps);
+  }
+  const perStep = timesOf(processor, wall, counts.steps);
+  const { steps, evaluations, jacobians, rejected } = counts;
+  return {
+    stepsPerSecond: 1e6 / perStep.median,
+    quartiles: [1e6 / perStep.quartiles[1], 1e6 / perStep.quartiles[0]],
+    realTime: boards[board].duration / ((perStep.median * steps) / 1e6),
+    steps,
+    evaluations,
+    jacobians,
+    rejected,
+    perStep,
+    checksum: sum.text,
+  };
+}

@@ -5,6 +5,12 @@ import { cpus } from 'node:os';
  * time; both are given. Spread is the quartiles over the samples; a checksum of what was computed goes with them.
  */
 
+/** Warm-up before anything is counted, in samples' lengths: by then the code is optimised. */
+const WARM_UP = 6;
+/** Milliseconds of one look whether the background is still, and how many looks at the most. */
+const LOOK = 20;
+const MOST_LOOKS = 200;
+
 export interface Machine {
   processor: string;
   cores: number;
@@ -34,7 +40,7 @@ export interface MeasureOptions {
   seconds: number;
 }
 
-export const THOROUGH: MeasureOptions = { samples: 21, seconds: 0.05 };
+export const THOROUGH: MeasureOptions = { samples: 21, seconds: 0.04 };
 /** For a smoke test: the numbers mean nothing. */
 export const QUICK: MeasureOptions = { samples: 3, seconds: 0.0005 };
 
@@ -58,7 +64,10 @@ export function processorTime(): number {
 /** Times several kinds of work in turns, so that whatever disturbs the machine disturbs all of them. */
 export function measureTogether<Name extends string>(works: Readonly<Record<Name, Work>>, options: MeasureOptions): Record<Name, Times> {
   const names = Object.keys(works) as Name[];
+  for (const name of names) warmUp(works[name], WARM_UP * options.seconds);
+  settle();
   const counts = names.map((name) => countFor(works[name], options.seconds));
+  settle();
   const taken = names.map(() => ({ processor: [] as number[], wall: [] as number[] }));
   for (let sample = 0; sample < options.samples; sample++) {
     names.forEach((name, k) => {
@@ -72,12 +81,32 @@ export function measureTogether<Name extends string>(works: Readonly<Record<Name
   return Object.fromEntries(names.map((name, k) => [name, timesOf(taken[k]!.processor, taken[k]!.wall, counts[k]!)])) as Record<Name, Times>;
 }
 
-/** Also the warm-up: doubles the count until it takes long enough, and by then the code is optimised. */
+function warmUp(work: Work, seconds: number): void {
+  const until = performance.now() + 1000 * seconds;
+  do work(64);
+  while (performance.now() < until);
+}
+
+/** How many units fill a sample; the better of two tries, so that a disturbed one does not make samples too short. */
 function countFor(work: Work, seconds: number): number {
   for (let count = 16; ; count *= 2) {
+    if (Math.min(timeOf(work, count), timeOf(work, count)) >= seconds) return count;
+  }
+}
+
+function timeOf(work: Work, count: number): number {
+  const from = processorTime();
+  work(count);
+  return processorTime() - from;
+}
+
+/** Waits until the compilers in the background have nothing left to do: their time would count as ours. */
+export function settle(): void {
+  const still = new Int32Array(new SharedArrayBuffer(4));
+  for (let look = 0; look < MOST_LOOKS; look++) {
     const from = processorTime();
-    work(count);
-    if (processorTime() - from >= seconds) return count;
+    Atomics.wait(still, 0, 0, LOOK);
+    if (processorTime() - from < (0.1 * LOOK) / 1000) return;
   }
 }
 

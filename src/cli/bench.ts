@@ -1,4 +1,5 @@
 import { accelerations, type AccelerationReport } from './bench/accelerations.ts';
+import { apart, type Caller } from './bench/apart.ts';
 import { THOROUGH, machine, type Machine, type MeasureOptions } from './bench/measure.ts';
 import { boards, stepping, type Board, type SteppingReport } from './bench/stepping.ts';
 
@@ -14,9 +15,9 @@ export interface BenchReport {
 }
 
 /** Measures this machine: constrained accelerations, and steps by method on the hanging and the coasting board. */
-export function bench(options: MeasureOptions = THOROUGH): BenchReport {
+export function bench(options: MeasureOptions = THOROUGH, call: Caller = apart): BenchReport {
   const acceleration = accelerations(options);
-  const steps = Object.fromEntries((Object.keys(boards) as Board[]).map((board) => [board, stepping(board, options)])) as BenchReport['stepping'];
+  const steps = Object.fromEntries((Object.keys(boards) as Board[]).map((board) => [board, stepping(board, options, call)])) as BenchReport['stepping'];
   return {
     machine: machine(),
     microsecondsPerConstrainedAcceleration: acceleration.acceleration.median,

@@ -3,7 +3,8 @@ import { methods } from '../../core/integrators/methods.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
 import { systems } from '../../core/systems/registry.ts';
-import { Checksum, processorTime, timesOf, type MeasureOptions, type Times } from './measure.ts';
+import type { Caller, Job } from './apart.ts';
+import { Checksum, processorTime, settle, timesOf, type MeasureOptions, type Times } from './measure.ts';
 import { scenarioOf } from './states.ts';
 
 /** The boards that methods are timed on: the report's hanging one, and the rolling one just after its release. */
@@ -16,6 +17,9 @@ export type Board = keyof typeof boards;
 
 /** Of fixed-step methods, s; adaptive ones take the default tolerances. */
 export const FIXED_STEP = 0.001;
+
+/** Warm-up before anything is counted, in samples' lengths. */
+const WARM_UP = 40;
 
 export interface SteppingReport {
   /** Accepted steps per second of processor time: what a run does, with projection, events and rows. */
@@ -49,15 +53,19 @@ export function timedRun(raw: unknown, enough: (simulation: Simulation) => boole
 }
 
 /** Steps per second of every method on one board. */
-export function stepping(board: Board, options: MeasureOptions): Record<string, SteppingReport> {
-  return Object.fromEntries(methods.map(({ id, adaptive }) => [id, steppingOf(id, adaptive, board, options)]));
+export function stepping(board: Board, options: MeasureOptions, call: Caller): Record<string, SteppingReport> {
+  return Object.fromEntries(methods.map(({ id }) => [id, call(steppingJob, id, board, options)]));
 }
 
-function steppingOf(name: string, adaptive: boolean, board: Board, options: MeasureOptions): SteppingReport {
+export const steppingJob: Job<[string, Board, MeasureOptions], SteppingReport> = { module: import.meta.url, name: 'steppingJob', run: steppingOf };
+
+function steppingOf(name: string, board: Board, options: MeasureOptions): SteppingReport {
+  const { adaptive } = methods.find((m) => m.id === name)!;
   const raw = { ...boards[board], method: adaptive ? { name } : { name, step: FIXED_STEP } };
   const warm = processorTime();
   let first = timedRun(raw);
-  while (processorTime() - warm < 4 * options.seconds) first = timedRun(raw);
+  while (processorTime() - warm < WARM_UP * options.seconds) first = timedRun(raw);
+  settle();
   const { counts, end, rows } = first.simulation;
   if (end!.reason !== 'end') throw new Error(`${name} on the ${board} board: ${end!.message}`);
   const sum = new Checksum();

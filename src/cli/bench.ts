@@ -17,11 +17,15 @@ export interface BenchReport {
 /** Measures this machine: constrained accelerations, and steps by method on the hanging and the coasting board. */
 export function bench(options: MeasureOptions = THOROUGH, call: Caller = apart): BenchReport {
   const acceleration = accelerations(options);
-  const steps = Object.fromEntries((Object.keys(boards) as Board[]).map((board) => [board, stepping(board, options, call)])) as BenchReport['stepping'];
+  const steps = Object.fromEntries(
+    (Object.keys(boards) as Board[]).map((board) => [board, stepping(board, options, call)]),
+  ) as BenchReport['stepping'];
   return {
     machine: machine(),
     microsecondsPerConstrainedAcceleration: acceleration.acceleration.median,
-    stepsPerSecond: Object.fromEntries(Object.entries(steps.coasting).map(([id, report]) => [id, report.stepsPerSecond])),
+    stepsPerSecond: Object.fromEntries(
+      Object.entries(steps.coasting).map(([id, report]) => [id, report.stepsPerSecond]),
+    ),
     acceleration,
     stepping: steps,
   };

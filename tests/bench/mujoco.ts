@@ -14,14 +14,26 @@ const n = PLACE.length;
 
 /** The board as MJCF; `p` by name as in the system's meta. Without springs, damping and drag. */
 export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): string {
-  const { rodMass, rodLength, rodRadius, plateMass, plateLength, plateWidth, plateThickness, plateOffset } = p as Record<string, number>;
-  const { pivotDrop, casterAngle, casterTrail, casterDrop, casterMass, wheelRadius, gravity } = p as Record<string, number>;
+  const { rodMass, rodLength, rodRadius, plateMass, plateLength, plateWidth, plateThickness, plateOffset } =
+    p as Record<string, number>;
+  const { pivotDrop, casterAngle, casterTrail, casterDrop, casterMass, wheelRadius, gravity } = p as Record<
+    string,
+    number
+  >;
   const inertial = (mass: number, pos: readonly number[], diagonal: readonly number[]): string =>
     `<inertial mass="${mass}" pos="${pos.join(' ')}" diaginertia="${diagonal.join(' ')}"/>`;
   const side = (rodMass! * (3 * rodRadius! ** 2 + rodLength! ** 2)) / 12;
   const rod = inertial(rodMass!, [0, 0, 0], [(rodMass! * rodRadius! ** 2) / 2, side, side]);
-  const squares = [plateWidth! ** 2 + plateThickness! ** 2, plateLength! ** 2 + plateThickness! ** 2, plateLength! ** 2 + plateWidth! ** 2];
-  const plate = inertial(plateMass!, [0, 0, 0], squares.map((s) => (plateMass! * s) / 12));
+  const squares = [
+    plateWidth! ** 2 + plateThickness! ** 2,
+    plateLength! ** 2 + plateThickness! ** 2,
+    plateLength! ** 2 + plateWidth! ** 2,
+  ];
+  const plate = inertial(
+    plateMass!,
+    [0, 0, 0],
+    squares.map((s) => (plateMass! * s) / 12),
+  );
   const disc = casterMass! * wheelRadius! ** 2;
   const caster = inertial(casterMass!, [-casterTrail!, 0, -casterDrop!], [disc / 4, disc / 2, disc / 4]);
   const half = (name: string, sign: number): string => `
@@ -31,7 +43,10 @@ export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): 
         </body>
       </body>`;
   const axes = ['1 0 0', '0 1 0', '0 0 1'];
-  const hinges = [...axes.map((axis) => `<joint type="slide" axis="${axis}"/>`), ...axes.reverse().map((axis) => `<joint type="hinge" axis="${axis}"/>`)];
+  const hinges = [
+    ...axes.map((axis) => `<joint type="slide" axis="${axis}"/>`),
+    ...axes.reverse().map((axis) => `<joint type="hinge" axis="${axis}"/>`),
+  ];
   return `<mujoco>
   <compiler angle="radian"/>
   <option gravity="0 0 ${-gravity!}"><flag contact="disable" constraint="disable"/></option>
@@ -72,7 +87,9 @@ export class MujocoBoard {
   positionsOf(q: Float64Array): Float64Array {
     const own = new Float64Array(n);
     for (let i = 0; i < n; i++) own[PLACE[i]!] = q[i]!;
-    return this.qpos.length === n ? own : Float64Array.of(...own.subarray(0, 3), ...attitude(q[3]!, q[4]!, q[5]!), ...own.subarray(6));
+    return this.qpos.length === n
+      ? own
+      : Float64Array.of(...own.subarray(0, 3), ...attitude(q[3]!, q[4]!, q[5]!), ...own.subarray(6));
   }
 
   /** Our v (10) as MuJoCo's velocities; with a free joint the rod's angular velocity in its own axes. */
@@ -113,8 +130,20 @@ export class MujocoBoard {
 
 /** Unit quaternion (w, x, y, z) of Rz(yaw) Ry(pitch) Rx(roll). */
 function attitude(roll: number, pitch: number, yaw: number): number[] {
-  const [cr, sr, cp, sp, cy, sy] = [roll, pitch, yaw].flatMap((x) => [Math.cos(x / 2), Math.sin(x / 2)]) as [number, number, number, number, number, number];
-  return [cy * cp * cr + sy * sp * sr, cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr, sy * cp * cr - cy * sp * sr];
+  const [cr, sr, cp, sp, cy, sy] = [roll, pitch, yaw].flatMap((x) => [Math.cos(x / 2), Math.sin(x / 2)]) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  return [
+    cy * cp * cr + sy * sp * sr,
+    cy * cp * sr - sy * sp * cr,
+    cy * sp * cr + sy * cp * sr,
+    sy * cp * cr - cy * sp * sr,
+  ];
 }
 
 /** Angular velocity in the rod's axes, from the rates of roll, pitch and yaw. */

@@ -33,9 +33,18 @@ interface Axis {
 /** x runs from large to small: errors become smaller, results better, to the right. */
 export function diagram({ title, xLabel, yLabel, curves }: Diagram): string {
   const all = curves.flatMap((c) => c.points);
-  const x = axis(all.map((p) => p.x), WIDTH - FRAME.right, FRAME.left);
-  const y = axis(all.map((p) => p.y), HEIGHT - FRAME.bottom, FRAME.top);
-  const text = (px: number, py: number, words: string, more = ''): string => `<text x="${px}" y="${py}" ${more}>${words}</text>`;
+  const x = axis(
+    all.map((p) => p.x),
+    WIDTH - FRAME.right,
+    FRAME.left,
+  );
+  const y = axis(
+    all.map((p) => p.y),
+    HEIGHT - FRAME.bottom,
+    FRAME.top,
+  );
+  const text = (px: number, py: number, words: string, more = ''): string =>
+    `<text x="${px}" y="${py}" ${more}>${words}</text>`;
   const middle = (FRAME.top + HEIGHT - FRAME.bottom) / 2;
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" role="img" aria-label="${title}" font-family="system-ui, -apple-system, 'Segoe UI', sans-serif" font-size="12" fill="${MUTED}">
 <rect width="${WIDTH}" height="${HEIGHT}" rx="6" fill="${GROUND}"/>
@@ -94,7 +103,10 @@ function labels(curves: readonly Curve[], x: Axis, y: Axis): string {
   spread(placed.filter((p) => p.lx > margin));
   return placed
     .map(({ label, color, px, py, lx, ly }) => {
-      const line = lx > margin ? `<path d="M${round(px + 4)} ${round(py)}L${lx - 3} ${round(ly)}" stroke="${color}" stroke-width="0.7"/>` : '';
+      const line =
+        lx > margin
+          ? `<path d="M${round(px + 4)} ${round(py)}L${lx - 3} ${round(ly)}" stroke="${color}" stroke-width="0.7"/>`
+          : '';
       const halo = `stroke="${GROUND}" stroke-width="4" paint-order="stroke"`;
       return `${line}<text x="${round(lx)}" y="${round(ly + 4)}" fill="${color}" font-weight="600" ${halo}>${label}</text>`;
     })

@@ -46,7 +46,10 @@ export async function rival(options: MeasureOptions): Promise<RivalReport> {
     hinges.acceleration(b);
     a.forEach((x) => ours.add(x));
     b.forEach((x) => theirs.add(x));
-    disagreement = Math.max(disagreement, Math.max(...a.map((x, i) => Math.abs(x - b[i]!))) / Math.max(...b.map(Math.abs)));
+    disagreement = Math.max(
+      disagreement,
+      Math.max(...a.map((x, i) => Math.abs(x - b[i]!))) / Math.max(...b.map(Math.abs)),
+    );
   }
   if (!(disagreement < SAME)) throw new Error(`MuJoCo's board is not ours: accelerations differ by ${disagreement}`);
 

@@ -136,7 +136,9 @@ function compare(dynamics: ConstrainedSystem, states: readonly State[]): { check
       const rate = derivative(y).slice();
       for (const x of rate) sum.add(x);
       if (!formulation.jacobian!(0, y, J)) throw new Error(`${id}: ${formulation.failure}`);
-      const error = expected[k]!.map((x, i) => Math.abs(x - rate.reduce((total, r, j) => total + J[i * rate.length + j]! * r, 0)));
+      const error = expected[k]!.map((x, i) =>
+        Math.abs(x - rate.reduce((total, r, j) => total + J[i * rate.length + j]! * r, 0)),
+      );
       disagreement = Math.max(disagreement, Math.max(...error) / Math.max(...expected[k]!.map(Math.abs)));
     });
   }

@@ -14,17 +14,25 @@ export interface Job<Arguments extends readonly unknown[], Result> {
 }
 
 /** How jobs are run: `here` or `apart`. */
-export type Caller = <Arguments extends readonly unknown[], Result>(job: Job<Arguments, Result>, ...args: Arguments) => Result;
+export type Caller = <Arguments extends readonly unknown[], Result>(
+  job: Job<Arguments, Result>,
+  ...args: Arguments
+) => Result;
 
 export const here: Caller = (job, ...args) => job.run(...args);
 
 export const apart: Caller = (job, ...args) => {
-  const child = spawnSync(process.execPath, [...process.execArgv, fileURLToPath(import.meta.url), job.module, job.name, JSON.stringify(args)], {
-    encoding: 'utf8',
-    stdio: ['ignore', 'pipe', 'inherit'],
-    maxBuffer: 1 << 26,
-  });
-  if (child.status !== 0) throw new Error(`${job.name}(${JSON.stringify(args)}) failed: ${child.error?.message ?? `status ${child.status}`}`);
+  const child = spawnSync(
+    process.execPath,
+    [...process.execArgv, fileURLToPath(import.meta.url), job.module, job.name, JSON.stringify(args)],
+    {
+      encoding: 'utf8',
+      stdio: ['ignore', 'pipe', 'inherit'],
+      maxBuffer: 1 << 26,
+    },
+  );
+  if (child.status !== 0)
+    throw new Error(`${job.name}(${JSON.stringify(args)}) failed: ${child.error?.message ?? `status ${child.status}`}`);
   return JSON.parse(child.stdout) as ReturnType<typeof job.run>;
 };
 

@@ -62,7 +62,10 @@ export function processorTime(): number {
 }
 
 /** Times several kinds of work in turns, so that whatever disturbs the machine disturbs all of them. */
-export function measureTogether<Name extends string>(works: Readonly<Record<Name, Work>>, options: MeasureOptions): Record<Name, Times> {
+export function measureTogether<Name extends string>(
+  works: Readonly<Record<Name, Work>>,
+  options: MeasureOptions,
+): Record<Name, Times> {
   const names = Object.keys(works) as Name[];
   for (const name of names) warmUp(works[name], WARM_UP * options.seconds);
   settle();
@@ -78,7 +81,9 @@ export function measureTogether<Name extends string>(works: Readonly<Record<Name
       taken[k]!.wall.push((1e3 * (performance.now() - wall)) / counts[k]!);
     });
   }
-  return Object.fromEntries(names.map((name, k) => [name, timesOf(taken[k]!.processor, taken[k]!.wall, counts[k]!)])) as Record<Name, Times>;
+  return Object.fromEntries(
+    names.map((name, k) => [name, timesOf(taken[k]!.processor, taken[k]!.wall, counts[k]!)]),
+  ) as Record<Name, Times>;
 }
 
 function warmUp(work: Work, seconds: number): void {

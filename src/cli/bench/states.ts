@@ -47,7 +47,8 @@ export function consistentStates(dynamics: ConstrainedSystem, count: number, see
     const v = Float64Array.from({ length: dynamics.n }, () => 2 * random() - 1);
     for (const i of dynamics.held) v[i] = 0;
     // One projection's fixed factors do not reach the ground from far away.
-    for (let k = 0; k < 20; k++) if (!projection.project(0, q, v)) throw new Error(`no consistent state: ${dynamics.failure}`);
+    for (let k = 0; k < 20; k++)
+      if (!projection.project(0, q, v)) throw new Error(`no consistent state: ${dynamics.failure}`);
     return { q, v };
   });
 }

@@ -41,14 +41,18 @@ export function caseNamed(id: string): ScenarioFile {
   return cases.find((c) => c.id === id)!.scenario;
 }
 
+/** How a run ends that is cut short. */
+export const ENOUGH = 'enough';
+
 /** A run to its end, or until `enough`; the clock covers the run alone, not its preparation. */
 export function timedRun(raw: unknown, enough: (simulation: Simulation) => boolean = () => false) {
   const scenario = scenarioOf(raw);
   const simulation = new Simulation(scenario, systems[scenario.system]!);
   const wall = performance.now();
   const from = processorTime();
-  simulation.advance(() => enough(simulation) && (simulation.stop('enough', 'cut short'), true));
+  simulation.advance(() => enough(simulation));
   const seconds = processorTime() - from;
+  simulation.stop(ENOUGH, 'cut short');
   return { simulation, seconds, wallSeconds: (performance.now() - wall) / 1000 };
 }
 
@@ -57,7 +61,11 @@ export function stepping(board: Board, options: MeasureOptions, call: Caller): R
   return Object.fromEntries(methods.map(({ id }) => [id, call(steppingJob, id, board, options)]));
 }
 
-export const steppingJob: Job<[string, Board, MeasureOptions], SteppingReport> = { module: import.meta.url, name: 'steppingJob', run: steppingOf };
+export const steppingJob: Job<[string, Board, MeasureOptions], SteppingReport> = {
+  module: import.meta.url,
+  name: 'steppingJob',
+  run: steppingOf,
+};
 
 function steppingOf(name: string, board: Board, options: MeasureOptions): SteppingReport {
   const { adaptive } = methods.find((m) => m.id === name)!;

@@ -73,7 +73,8 @@ describe('the bench measures everything', () => {
       }
       expect(csvOf(measured.work[problem]).trim().split('\n')).toHaveLength(points.length + 1);
       for (const svg of Object.values(picturesOf(problem, measured.work[problem]))) {
-        for (const id of ids) expect(svg).toContain(`>${id}</text>`);
+        for (const id of new Set(points.filter((p) => p.error < 1).map((p) => p.method)))
+          expect(svg).toContain(`>${id}</text>`);
         expect(svg).not.toMatch(/NaN|Infinity|undefined/);
       }
     },

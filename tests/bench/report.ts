@@ -67,14 +67,16 @@ function variantsOf(points: readonly WorkPoint[]): { label: string; points: Work
 export function picturesOf(problem: Problem, work: WorkReport): Record<string, string> {
   const what = problem === 'coasting' ? 'Coasting board, 0.5 s' : 'Falling board, first second';
   const curves = (cost: (p: WorkPoint) => number): Curve[] =>
-    [...new Set(work.points.map((p) => p.method))].map((id) => ({
-      label: id,
-      color: COLORS[id] ?? OTHER,
-      points: meaningful(
-        work.points.filter((p) => p.method === id && (p.stages ?? 3) === 3),
-        work.floor,
-      ).map((p) => ({ x: p.error, y: cost(p) })),
-    }));
+    [...new Set(work.points.map((p) => p.method))]
+      .map((id) => ({
+        label: id,
+        color: COLORS[id] ?? OTHER,
+        points: meaningful(
+          work.points.filter((p) => p.method === id && (p.stages ?? 3) === 3),
+          work.floor,
+        ).map((p) => ({ x: p.error, y: cost(p) })),
+      }))
+      .filter((curve) => curve.points.length > 0);
   const xLabel = 'largest error at the end (m, rad, m/s, rad/s)';
   return {
     [`${problem}-evaluations.svg`]: diagram({
@@ -196,13 +198,18 @@ function precisionTable({ floor, checksum, costs }: PrecisionSummary): string {
   const cell = (at: { evaluations: number | null; seconds: number | null }): string =>
     at.evaluations === null || at.seconds === null
       ? '–'
-      : `${Math.round(at.evaluations).toLocaleString('en-US')}, ${(1000 * at.seconds).toPrecision(2)} ms`;
+      : `${Math.round(at.evaluations).toLocaleString('en-US')}, ${milliseconds(1000 * at.seconds)} ms`;
   return `${table(
     head,
     costs.map(({ label, at }) => [label, ...at.map(cell)]),
   )}
 
 The truth is known to ${floor.toExponential(1)}; checksum \`${checksum}\`.`;
+}
+
+/** Two digits, or all whole ones. */
+function milliseconds(ms: number): string {
+  return ms < 10 ? ms.toPrecision(2) : Math.round(ms).toLocaleString('en-US');
 }
 
 function raceTable({ duration, entries }: Results['race']): string {

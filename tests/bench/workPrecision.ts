@@ -31,9 +31,9 @@ export interface Settings {
 export const FULL: Settings = {
   rtol: [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11],
   steps: Array.from({ length: 13 }, (_, k) => 2 ** (k + 5)),
-  mostEvaluations: 300_000,
+  mostEvaluations: 150_000,
   truth: 1e-13,
-  seconds: 0.2,
+  seconds: 0.1,
 };
 export const BRIEF: Settings = {
   rtol: [1e-4, 1e-6],
@@ -45,6 +45,9 @@ export const BRIEF: Settings = {
 
 /** atol is this share of rtol, as in the defaults. */
 const ATOL = 0.01;
+
+/** Warm-up before a curve is timed, in the time that a point gets. */
+const WARM_UP = 10;
 
 export interface WorkPoint {
   method: string;
@@ -113,11 +116,13 @@ export const curveJob: Job<
       ...problems[problem],
       method: { name, ...(stages === null ? {} : { stages }), ...setting } as Record<string, unknown>,
     }));
-    // First all of them once, for the numbers and as a warm-up; then each for its time.
+    // First all of them once, for the numbers; then again as a warm-up; then each for its time.
     const runs = raws.map((raw) => ({ raw, ...lastState(raw, settings.mostEvaluations) }));
     const cut = runs.findIndex((run) => run.end === ENOUGH);
     // A run that failed (a step too coarse for the motion) leaves no point; a finer one may succeed.
     const kept = (cut < 0 ? runs : runs.slice(0, cut)).filter((run) => run.state !== null);
+    for (let spent = 0; spent < WARM_UP * settings.seconds && kept.length > 0;)
+      for (const { raw } of kept) spent += timedRun(raw).seconds;
     settle();
     const points = kept.map(({ raw, state, counts }) => ({
       method: name,
@@ -145,7 +150,7 @@ function lastState(raw: unknown, mostEvaluations: number) {
 
 function leastTime(raw: unknown, seconds: number): number {
   let [least, total] = [Infinity, 0];
-  for (let k = 0; k < 3 || total < seconds; k++) {
+  for (let k = 0; k < 2 || total < seconds; k++) {
     const run = timedRun(raw).seconds;
     least = Math.min(least, run);
     total += run;

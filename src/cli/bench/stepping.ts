@@ -70,9 +70,8 @@ export const steppingJob: Job<[string, Board, MeasureOptions], SteppingReport> =
 function steppingOf(name: string, board: Board, options: MeasureOptions): SteppingReport {
   const { adaptive } = methods.find((m) => m.id === name)!;
   const raw = { ...boards[board], method: adaptive ? { name } : { name, step: FIXED_STEP } };
-  const warm = processorTime();
   let first = timedRun(raw);
-  while (processorTime() - warm < WARM_UP * options.seconds) first = timedRun(raw);
+  for (let spent = first.seconds; spent < WARM_UP * options.seconds; spent += first.seconds) first = timedRun(raw);
   settle();
   const { counts, end, rows } = first.simulation;
   if (end!.reason !== 'end') throw new Error(`${name} on the ${board} board: ${end!.message}`);

@@ -1,4 +1,5 @@
 import type { SystemView } from './types.ts';
+import { bicycleView } from './bicycle/view.ts';
 import { cartPendulumView } from './cart-pendulum/view.ts';
 import { casterRotationView } from './caster-rotation/view.ts';
 import { casterboardRobotView } from './casterboard-robot/view.ts';
@@ -8,7 +9,7 @@ import { rollingWheelView } from './rolling-wheel/view.ts';
 import { stiffDecayView } from './stiff-decay/view.ts';
 import { wheelPendulumView } from './wheel-pendulum/view.ts';
 
-/** Every system as the views know it; one line per system here and in `registry.ts`. */
+/** Every system as the views know it; one line per system here and in `loaders.ts`. */
 export const systemViews: Readonly<Record<string, SystemView>> = {
   ripstik: ripstikView,
   'caster-rotation': casterRotationView,
@@ -18,4 +19,5 @@ export const systemViews: Readonly<Record<string, SystemView>> = {
   'wheel-pendulum': wheelPendulumView,
   'casterboard-robot': casterboardRobotView,
   'chaplygin-sleigh': chaplyginSleighView,
+  bicycle: bicycleView,
 };

@@ -1,5 +1,5 @@
-import { luFactor, luSolve } from '../linalg/lu.ts';
-import { weightsAt, type Tableau } from './collocationCoefficients.ts';
+import { valueAt, weightsAt, type Tableau } from './collocationCoefficients.ts';
+import { StageEquations } from './collocationStages.ts';
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { allFinite, fixedStep } from './explicitFixed.ts';
 import { Jacobian, PATIENT_ITERATIONS, REUSE_BELOW, SimplifiedNewton, roundingFloor, tightScale, type NewtonOutcome } from './newton.ts';
@@ -58,12 +58,13 @@ export class Collocation implements Stepper {
   private readonly tolerance: number;
   private readonly floor: number;
   private readonly jacobian: Jacobian;
-  /** I - h A (x) J and I - h gamma0 J, factored, for the step `factoredFor`; 0 if they are not to be used. */
-  private readonly matrix: Float64Array;
-  private readonly pivots: Int32Array;
-  private readonly filter: Float64Array;
-  private readonly filterPivots: Int32Array;
+  private readonly stages: StageEquations;
   private factoredFor = 0;
+  /** E0 of the step being tried and of the last accepted. */
+  private bend: Float64Array;
+  private keptBend: Float64Array;
+  private readonly rest: Float64Array;
+  private readonly f1: Float64Array;
   /** The Jacobian may be used; and it is that at (t, y). */
   private known = false;
   private current = false;
@@ -72,8 +73,6 @@ export class Collocation implements Stepper {
   private kept: Float64Array;
   /** The last polynomial may start Newton's method. */
   private guess = false;
-  private readonly increment: Float64Array;
-  private readonly slopes: Float64Array;
   private readonly weights: Float64Array;
   private readonly endWeights: Float64Array;
   private readonly scale: Float64Array;
@@ -99,20 +98,19 @@ export class Collocation implements Stepper {
     this.tableau = tableau;
     this.n = n;
     this.controlled = options.rtol < Infinity;
-    this.controller = new PiController(s + 1);
+    this.controller = new PiController((globalThis as any).X.order ?? s + 1);
     this.newton = new SimplifiedNewton(this.controlled ? MOST_ITERATIONS + MORE_PER_STAGE * Math.max(0, s - 3) : PATIENT_ITERATIONS);
     // kappa tol as in RADAU5; without a tolerance one unit of `tightScale`.
-    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / options.rtol, Math.min(0.03, Math.sqrt(options.rtol))) : 1;
+    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / options.rtol, (globalThis as any).X.kappa ?? Math.min(0.03, Math.sqrt(options.rtol))) : 1;
     this.floor = this.controlled ? Math.min(0.1, roundingFloor(options.rtol)) : roundingFloor();
     this.jacobian = new Jacobian(problem, this.counters);
-    this.matrix = vector((s * n) ** 2);
-    this.pivots = new Int32Array(s * n);
-    this.filter = vector(n * n);
-    this.filterPivots = new Int32Array(n);
-    this.z = vector(s * n);
+    this.stages = new StageEquations(problem, this.counters, tableau);
+    this.bend = vector();
+    this.keptBend = vector();
+    this.rest = vector();
+    this.f1 = vector();
+    this.z = this.stages.z;
     this.kept = vector(s * n);
-    this.increment = vector(s * n);
-    this.slopes = vector(s * n);
     this.weights = vector(s);
     this.endWeights = vector(s);
     weightsAt(1, tableau.c, this.endWeights);
@@ -184,9 +182,11 @@ export class Collocation implements Stepper {
 
   interpolate(t: number, out: Float64Array): void {
     const { n, weights, kept } = this;
-    weightsAt(this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1, this.tableau.c, weights);
+    const x = this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1;
+    weightsAt(x, this.tableau.c, weights);
+    const bend = valueAt(this.tableau.bend, x) * ((globalThis as any).X.dense);
     for (let i = 0; i < n; i++) {
-      let sum = 0;
+      let sum = bend * this.keptBend[i]!;
       for (let s = 0; s < weights.length; s++) sum += weights[s]! * kept[s * n + i]!;
       out[i] = this.y0[i]! + sum;
     }
@@ -232,7 +232,9 @@ export class Collocation implements Stepper {
       if (!this.jacobian.evaluate(this.t, this.y, this.f0)) return 'no-value';
       this.known = this.current = true;
     }
-    if (this.factoredFor !== h && !this.factor(h)) return 'slow';
+    const X = (globalThis as any).X;
+    const ratio = this.factoredFor / h;
+    if (!(this.controlled ? ratio > 1 / X.stretch && ratio < X.stretch : ratio === 1) && !this.factor(h)) return 'slow';
     this.predict(h);
     const outcome = this.newton.solve(this.correct, this.tolerance, this.floor);
     if (outcome !== 'converged') return outcome;
@@ -246,25 +248,8 @@ export class Collocation implements Stepper {
   }
 
   private factor(h: number): boolean {
-    const { n, matrix, filter, tableau } = this;
-    const { stages: s, A, gamma } = tableau;
-    const J = this.jacobian.matrix;
-    const size = s * n;
-    for (let a = 0; a < s; a++) {
-      for (let b = 0; b < s; b++) {
-        const factor = -h * A[a * s + b]!;
-        for (let i = 0; i < n; i++) {
-          const row = (a * n + i) * size + b * n;
-          for (let j = 0; j < n; j++) matrix[row + j] = factor * J[i * n + j]!;
-        }
-      }
-    }
-    for (let i = 0; i < size; i++) matrix[i * size + i]! += 1;
-    for (let i = 0; i < n * n; i++) filter[i] = -h * gamma * J[i]!;
-    for (let i = 0; i < n; i++) filter[i * n + i]! += 1;
-    this.counters.factorizations++;
     this.factoredFor = 0;
-    if (!luFactor(matrix, size, this.pivots) || !luFactor(filter, n, this.filterPivots)) return false;
+    if (!this.stages.factor(h, this.jacobian.matrix)) return false;
     this.factoredFor = h;
     return true;
   }
@@ -279,6 +264,8 @@ export class Collocation implements Stepper {
     if (!this.guess) return;
     for (let a = 0; a < stages; a++) {
       weightsAt(1 + c[a]! * ratio, c, weights);
+      const bend = ((globalThis as any).X.predict ? 1 : 0) * valueAt(this.tableau.bend, 1 + c[a]! * ratio);
+      for (let i = 0; i < n; i++) z[a * n + i]! += bend * this.keptBend[i]!;
       for (let b = 0; b < stages; b++) {
         const weight = weights[b]! - endWeights[b]!;
         for (let i = 0; i < n; i++) z[a * n + i]! += weight * kept[b * n + i]!;
@@ -286,55 +273,59 @@ export class Collocation implements Stepper {
     }
   }
 
-  /** One iteration: z += (I - h A (x) J)^-1 (h (A (x) I) F(z) - z). */
-  private readonly correct = (): number => {
-    const { n, z, slopes, increment, yNew, scratch, scale, trying: h } = this;
-    const { stages: s, A, c } = this.tableau;
-    for (let a = 0; a < s; a++) {
-      for (let i = 0; i < n; i++) yNew[i] = this.y[i]! + z[a * n + i]!;
-      if (!this.f(this.t + c[a]! * h, yNew, scratch)) return NaN;
-      slopes.set(scratch, a * n);
-    }
-    for (let a = 0; a < s; a++) {
-      for (let i = 0; i < n; i++) {
-        let sum = 0;
-        for (let b = 0; b < s; b++) sum += A[a * s + b]! * slopes[b * n + i]!;
-        increment[a * n + i] = h * sum - z[a * n + i]!;
-      }
-    }
-    luSolve(this.matrix, s * n, this.pivots, increment);
-    let sum = 0;
-    for (let i = 0; i < s * n; i++) {
-      z[i]! += increment[i]!;
-      sum += (increment[i]! / scale[i % n]!) ** 2;
-    }
-    return Math.sqrt(sum / (s * n));
-  };
+  private readonly correct = (): number => this.stages.correct(this.t, this.y, this.trying, this.scale);
 
-  /** Scaled error of the step, to be at most 1; infinite when anything is not a number. */
   private errorOf(h: number): number {
-    const { y, yNew, error, scratch, f0 } = this;
+    const { y, yNew, error, bend, rest, f0, scratch, n, z } = this;
     const { rtol, atol } = this.options;
-    this.filteredDefect(h, f0);
-    const norm = errorNorm(error, y, yNew, rtol, atol);
-    if (norm <= 1 || !this.wary || !(norm < Infinity)) return norm;
-    // Once more with f at y0 + error: what is stiff then cancels, eq. (8.20).
-    for (let i = 0; i < y.length; i++) error[i]! += y[i]!;
-    if (!this.f(this.t, error, scratch)) return norm;
-    this.filteredDefect(h, scratch);
-    return errorNorm(error, y, yNew, rtol, atol);
+    const { gamma, probe } = this.tableau;
+    const X = (globalThis as any).X;
+    this.startDefect(h, f0, rest);
+    bend.set(rest);
+    this.stages.damp(bend);
+    if (X.est === 'low') {
+      for (let i = 0; i < n; i++) error[i] = gamma * bend[i]!;
+      let norm = errorNorm(error, y, yNew, rtol, atol);
+      if (norm > 1 && this.wary && norm < Infinity) {
+        for (let i = 0; i < n; i++) error[i]! += y[i]!;
+        if (!this.f(this.t, error, scratch)) return norm;
+        this.startDefect(h, scratch, error);
+        this.stages.damp(error);
+        for (let i = 0; i < n; i++) error[i]! *= gamma;
+        norm = errorNorm(error, y, yNew, rtol, atol);
+      }
+      return norm * X.factor;
+    }
+    // probe
+    const s = this.tableau.stages;
+    for (let i = 0; i < n; i++) {
+      let u = y[i]! + probe.bend * bend[i]!;
+      for (let a = 0; a < s; a++) u += probe.weights[a]! * z[a * n + i]!;
+      error[i] = u;
+    }
+    if (!this.f(this.t + probe.at * h, error, scratch)) return Infinity;
+    for (let i = 0; i < n; i++) {
+      let slope = probe.bendSlope * rest[i]!;
+      for (let a = 0; a < s; a++) slope += probe.slope[a]! * z[a * n + i]!;
+      error[i] = probe.gain * (h * scratch[i]! - slope);
+    }
+    this.stages.damp(error);
+    const high = errorNorm(error, y, yNew, rtol, atol);
+    if (X.est === 'probe') return high * X.factor;
+    for (let i = 0; i < n; i++) error[i] = gamma * bend[i]!;
+    const low = errorNorm(error, y, yNew, rtol, atol);
+    return X.factor * high * Math.min(1, high / low);
   }
 
-  /** error = (I - h gamma0 J)^-1 gamma0 (h slope - h u'(t0)). */
-  private filteredDefect(h: number, slope: Float64Array): void {
-    const { n, z, error } = this;
-    const { stages, gamma, startSlope } = this.tableau;
+  /** out = h f - h u'(t0). */
+  private startDefect(h: number, slope: Float64Array, out: Float64Array): void {
+    const { n, z } = this;
+    const { stages, startSlope } = this.tableau;
     for (let i = 0; i < n; i++) {
       let own = 0;
       for (let s = 0; s < stages; s++) own += startSlope[s]! * z[s * n + i]!;
-      error[i] = gamma * (h * slope[i]! - own);
+      out[i] = h * slope[i]! - own;
     }
-    luSolve(this.filter, n, this.filterPivots, error);
   }
 
   private accept(h: number, limit: number): void {
@@ -345,10 +336,13 @@ export class Collocation implements Stepper {
     this.y.set(this.yNew);
     const kept = this.kept;
     this.kept = this.z;
-    this.z = kept;
+    this.z = this.stages.z = kept;
+    const keptBend = this.keptBend;
+    this.keptBend = this.bend;
+    this.bend = keptBend;
     this.guess = true;
     this.fresh = this.current = this.wary = false;
-    this.known = this.newton.theta < REUSE_BELOW;
+    this.known = this.newton.theta < ((globalThis as any).X.reuse ?? REUSE_BELOW);
     this.counters.steps++;
   }
 
@@ -357,7 +351,7 @@ export class Collocation implements Stepper {
     const { iterations } = this.newton;
     const effort = (2 * MOST_ITERATIONS + 1) / (2 * MOST_ITERATIONS + iterations);
     const factor = this.controller.accept(error) * effort;
-    const next = this.known && factor >= 1 && factor <= KEEP_BELOW ? h : h * factor;
+    const next = this.known && factor >= 1 && factor <= (globalThis as any).X.keep ? h : h * factor;
     // A step cut short by the limit says nothing about how long the next may be.
     this.h = h < this.h ? Math.max(this.h, next) : next;
   }

@@ -1,5 +1,4 @@
-import { complexLuFactor, complexLuSolve } from '../linalg/complexLu.ts';
-import { luFactor, luSolve } from '../linalg/lu.ts';
+import { ComplexBlock, isSecondOrder, RealBlock, type Block } from './collocationBlocks.ts';
 import type { Tableau } from './collocationCoefficients.ts';
 import type { Counters, OdeProblem } from './contract.ts';
 
@@ -43,7 +42,8 @@ export class StageEquations {
   /** Factors for the step h and the Jacobian J (n x n). False where a block is singular. */
   factor(h: number, J: Float64Array): boolean {
     this.counters.factorizations++;
-    for (const block of this.blocks) if (!block.factor(h, J)) return false;
+    const secondOrder = isSecondOrder(J, this.n);
+    for (const block of this.blocks) if (!block.factor(h, J, secondOrder)) return false;
     return true;
   }
 
@@ -108,73 +108,5 @@ function multiply(matrix: Float64Array, s: number, n: number, x: Float64Array, o
       const factor = matrix[a * s + b]!;
       for (let i = 0; i < n; i++) out[row + i]! += factor * x[b * n + i]!;
     }
-  }
-}
-
-/** I - h gamma J for one eigenvalue gamma, factored. */
-interface Block {
-  readonly real: boolean;
-  factor(h: number, J: Float64Array): boolean;
-  /** In place of x + i y; a real block leaves y alone. */
-  solve(x: Float64Array, y: Float64Array): void;
-}
-
-class RealBlock implements Block {
-  readonly real = true;
-  private readonly n: number;
-  private readonly gamma: number;
-  private readonly matrix: Float64Array;
-  private readonly pivots: Int32Array;
-
-  constructor(n: number, gamma: number) {
-    this.n = n;
-    this.gamma = gamma;
-    this.matrix = new Float64Array(n * n);
-    this.pivots = new Int32Array(n);
-  }
-
-  factor(h: number, J: Float64Array): boolean {
-    const { n, matrix } = this;
-    const factor = -h * this.gamma;
-    for (let i = 0; i < n * n; i++) matrix[i] = factor * J[i]!;
-    for (let i = 0; i < n; i++) matrix[i * n + i]! += 1;
-    return luFactor(matrix, n, this.pivots);
-  }
-
-  solve(x: Float64Array): void {
-    luSolve(this.matrix, this.n, this.pivots, x);
-  }
-}
-
-class ComplexBlock implements Block {
-  readonly real = false;
-  private readonly n: number;
-  private readonly gamma: readonly [number, number];
-  private readonly re: Float64Array;
-  private readonly im: Float64Array;
-  private readonly pivots: Int32Array;
-
-  constructor(n: number, re: number, im: number) {
-    this.n = n;
-    this.gamma = [re, im];
-    this.re = new Float64Array(n * n);
-    this.im = new Float64Array(n * n);
-    this.pivots = new Int32Array(n);
-  }
-
-  factor(h: number, J: Float64Array): boolean {
-    const { n, re, im } = this;
-    const a = -h * this.gamma[0];
-    const b = -h * this.gamma[1];
-    for (let i = 0; i < n * n; i++) {
-      re[i] = a * J[i]!;
-      im[i] = b * J[i]!;
-    }
-    for (let i = 0; i < n; i++) re[i * n + i]! += 1;
-    return complexLuFactor(re, im, n, this.pivots);
-  }
-
-  solve(x: Float64Array, y: Float64Array): void {
-    complexLuSolve(this.re, this.im, this.n, this.pivots, x, y);
   }
 }

@@ -12,7 +12,7 @@ import { luFactor, luSolve } from '../linalg/lu.ts';
  * section IV.3 there).
  */
 export interface Transform {
-  /** Eigenvalues of A: at most one real, first; then one of each pair, its imaginary part positive. */
+  /** Eigenvalues of A: at most one real, first; then one of each pair, its imaginary part positive, the nearest to the axis first. */
   readonly eigenvalues: readonly (readonly [re: number, im: number])[];
   /**
    * s x s: a column for the real eigenvector, two for each pair. In its coordinates (w1, w2) A multiplies w1 + i w2 by
@@ -64,7 +64,7 @@ export function transformOf(nodes: readonly number[], nodePolynomial: number[]):
   const M = derivatives(nodePolynomial);
   const mus = zeros(M.map((p) => p[0]!).reverse());
   const rounding = 1e-9 * Math.hypot(...mus[0]!);
-  const chosen = [...mus.filter(([, im]) => Math.abs(im) < rounding).map(([re]): Complex => [re, 0]), ...mus.filter(([, im]) => im <= -rounding)];
+  const chosen = [...mus.filter(([, im]) => Math.abs(im) < rounding).map(([re]): Complex => [re, 0]), ...mus.filter(([, im]) => im <= -rounding).sort(([a, b], [c, d]) => d / c - b / a)];
   const T = new Float64Array(s * s);
   const eigenvalues = chosen.map((mu) => over([1, 0], mu));
   eigenvalues.forEach((gamma, e) => {

@@ -1,4 +1,5 @@
 import { transformOf, type Transform } from './collocationTransform.ts';
+import { derivativeOf, integralOf, lagrange, nodePolynomial, valueAt } from './polynomials.ts';
 
 /**
  * Collocation methods by their nodes: everything else follows from these.
@@ -16,28 +17,32 @@ export interface Tableau {
   /** Runge-Kutta matrix, row-major: a_ij is the integral of the j-th Lagrange polynomial of the nodes to c_i. */
   readonly A: Float64Array;
   readonly transform: Transform;
-  /** The size of A's first eigenvalue. */
-  readonly gamma: number;
   /** h u'(t0) is the sum of these times u(t0 + c_i h) - y0. */
   readonly startSlope: Float64Array;
-  /** Integral of M(x) / M(0) from 0, M the node polynomial, by rising powers. */
-  readonly bend: Float64Array;
-  readonly probe: Probe;
+  readonly corrections: Corrections;
 }
 
-/** One more point of the step, where what is left of the defect is measured. */
-export interface Probe {
+/**
+ * What u lacks between the ends of a step, as three polynomials of x = (t - t0) / h that vanish at 0, each to be
+ * multiplied by a vector (`collocationPolynomial.ts`).
+ */
+export interface Corrections {
+  /** By rising powers: the integral of m(x) = M(x) / M(0), M the node polynomial; its integral; that of N(x) = x M(x) / N(at). */
+  readonly shapes: readonly [Float64Array, Float64Array, Float64Array];
+  /** Largest size in [0, 1] of the second and the third. */
+  readonly largest: readonly [number, number];
+  /** Where N is largest, and what is known there: h u' by u's increments, m and its integral. */
   readonly at: number;
-  readonly weights: Float64Array;
   readonly slope: Float64Array;
-  readonly bend: number;
-  readonly bendSlope: number;
-  readonly gain: number;
+  readonly m: number;
+  readonly integral: number;
 }
 
-const PROBE_GRID = 1000;
 export const GAUSS_STAGES = [1, 2, 3, 4] as const;
 export const RADAU_STAGES = [2, 3] as const;
+
+/** Points of the unit interval at which a polynomial is looked at for its largest size. */
+const LOOKS = 1000;
 
 /** Zeros of the shifted Legendre polynomial of degree s. */
 function gaussNodes(s: number): number[] {
@@ -72,34 +77,40 @@ function tableau(nodes: number[], order: number): Tableau {
     const integral = integralOf(lagrange(nodes, j));
     nodes.forEach((c, i) => (A[i * s + j] = valueAt(integral, c)));
   });
-  const M = nodes.reduce<number[]>((product, c) => timesFactor(product, c, 1), [1]);
-  const transform = transformOf(nodes, M);
-  const gamma = Math.hypot(...transform.eigenvalues[0]!);
-  const bend = M.map((a) => a / M[0]!);
   return {
     stages: s,
     order,
     c: Float64Array.from(nodes),
     A,
-    transform,
-    gamma,
+    transform: transformOf(nodes),
     startSlope: slopeWeights(nodes, 0),
-    bend: Float64Array.from(integralOf(bend)),
-    probe: probeOf(nodes, M, bend),
+    corrections: correctionsOf(nodes),
   };
 }
 
-/** Where N(x) = x M(x), the error of interpolating u' at 0 and the nodes, is largest: there it shows best. */
-function probeOf(nodes: number[], M: number[], bend: number[]): Probe {
+function correctionsOf(nodes: number[]): Corrections {
+  const M = nodePolynomial(nodes);
+  const m = M.map((a) => a / M[0]!);
+  const integral = integralOf(m);
   const N = [0, ...M];
-  const integral = integralOf(N);
-  const grid = Array.from({ length: PROBE_GRID + 1 }, (_, k) => k / PROBE_GRID);
-  const largest = (p: number[]): number => grid.reduce((best, x) => (Math.abs(valueAt(p, x)) > Math.abs(valueAt(p, best)) ? x : best), 0);
-  const at = largest(N);
-  const weights = new Float64Array(nodes.length);
-  weightsAt(at, Float64Array.from(nodes), weights);
-  const worst = Math.abs(valueAt(integral, largest(integral)));
-  return { at, weights, slope: slopeWeights(nodes, at), bend: valueAt(integralOf(bend), at), bendSlope: valueAt(bend, at), gain: worst / Math.abs(valueAt(N, at)) };
+  const at = largestAt(N);
+  const shapes = [integral, integralOf(integral), integralOf(N.map((a) => a / valueAt(N, at)))].map((p) => Float64Array.from(p));
+  const [, second, third] = shapes as [Float64Array, Float64Array, Float64Array];
+  return {
+    shapes: [shapes[0]!, second, third],
+    largest: [Math.abs(valueAt(second, largestAt(second))), Math.abs(valueAt(third, largestAt(third)))],
+    at,
+    slope: slopeWeights(nodes, at),
+    m: valueAt(m, at),
+    integral: valueAt(integral, at),
+  };
+}
+
+/** Where in [0, 1] a polynomial is largest in size. */
+function largestAt(polynomial: ArrayLike<number>): number {
+  let best = 0;
+  for (let k = 0; k <= LOOKS; k++) if (Math.abs(valueAt(polynomial, k / LOOKS)) > Math.abs(valueAt(polynomial, best))) best = k / LOOKS;
+  return best;
 }
 
 /** h u'(t0 + x h) is the sum of these times u(t0 + c_i h) - y0. */
@@ -108,43 +119,14 @@ function slopeWeights(nodes: number[], x: number): Float64Array {
   return Float64Array.from(nodes, (_, j) => valueAt(derivativeOf(lagrange(all, j + 1)), x));
 }
 
-/** The j-th Lagrange polynomial of the nodes by rising powers. */
-function lagrange(nodes: number[], j: number): number[] {
-  return nodes.reduce<number[]>((product, c, m) => (m === j ? product : timesFactor(product, c, nodes[j]! - c)), [1]);
-}
-
-/** A polynomial times (x - c) / width. */
-function timesFactor(polynomial: number[], c: number, width: number): number[] {
-  const next = new Array<number>(polynomial.length + 1).fill(0);
-  polynomial.forEach((a, power) => {
-    next[power]! -= (a * c) / width;
-    next[power + 1]! += a / width;
-  });
-  return next;
-}
-
-function integralOf(polynomial: number[]): number[] {
-  return [0, ...polynomial.map((a, power) => a / (power + 1))];
-}
-
-function derivativeOf(polynomial: number[]): number[] {
-  return polynomial.slice(1).map((a, power) => (power + 1) * a);
-}
-
-export function valueAt(polynomial: ArrayLike<number>, x: number): number {
-  let sum = 0;
-  for (let k = polynomial.length - 1; k >= 0; k--) sum = sum * x + polynomial[k]!;
-  return sum;
-}
-
 /**
- * Weights into `out` (s) by which u(t0 + theta h) - y0 is made from the u(t0 + c_i h) - y0:
+ * Weights into `out` (s) by which u(t0 + x h) - y0 is made from the u(t0 + c_i h) - y0:
  * Lagrange polynomials of the nodes 0, c_1, …, c_s.
  */
-export function weightsAt(theta: number, c: Float64Array, out: Float64Array): void {
+export function weightsAt(x: number, c: Float64Array, out: Float64Array): void {
   for (let i = 0; i < c.length; i++) {
-    let weight = theta / c[i]!;
-    for (let m = 0; m < c.length; m++) if (m !== i) weight *= (theta - c[m]!) / (c[i]! - c[m]!);
+    let weight = x / c[i]!;
+    for (let m = 0; m < c.length; m++) if (m !== i) weight *= (x - c[m]!) / (c[i]! - c[m]!);
     out[i] = weight;
   }
 }

@@ -11,8 +11,8 @@ import type { Counters, OdeProblem } from './contract.ts';
  * The matrix may be of another h than the step: then it is still right for what is not stiff.
  */
 export class StageEquations {
-  /** Increments u(t0 + c_i h) - y0, s x n; the caller may put another array here. */
-  z: Float64Array;
+  /** What `damp` damps with: the real part of the first eigenvalue of A. */
+  readonly gamma: number;
 
   private readonly problem: OdeProblem;
   private readonly counters: Counters;
@@ -31,7 +31,7 @@ export class StageEquations {
     this.counters = counters;
     this.tableau = tableau;
     this.blocks = tableau.transform.eigenvalues.map(([re, im]) => (im === 0 ? new RealBlock(n, re) : new ComplexBlock(n, re, im)));
-    this.z = new Float64Array(tableau.stages * n);
+    this.gamma = tableau.transform.eigenvalues[0]![0];
     this.slopes = new Float64Array(tableau.stages * n);
     this.residual = new Float64Array(tableau.stages * n);
     this.point = new Float64Array(n);
@@ -47,9 +47,12 @@ export class StageEquations {
     return true;
   }
 
-  /** One iteration for a step h from (t, y): moves z; the scaled norm of the increment, NaN where f has no value. */
-  correct(t: number, y: Float64Array, h: number, scale: Float64Array): number {
-    const { n, z, slopes, point, slope, residual } = this;
+  /**
+   * One iteration for a step h from (t, y): moves the increments z = u(t + c_i h) - y (s x n).
+   * @returns the scaled norm of how far, NaN where f has no value
+   */
+  correct(t: number, y: Float64Array, h: number, z: Float64Array, scale: Float64Array): number {
+    const { n, slopes, point, slope, residual } = this;
     const { stages: s, A, c, transform } = this.tableau;
     for (let a = 0; a < s; a++) {
       const row = a * n;

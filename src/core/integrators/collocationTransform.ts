@@ -1,4 +1,5 @@
 import { luFactor, luSolve } from '../linalg/lu.ts';
+import { derivativeOf, nodePolynomial, valueAt } from './polynomials.ts';
 
 /**
  * Eigenvalues and eigenvectors of a collocation method's Runge-Kutta matrix A, by which I - h A (x) J falls apart into
@@ -27,8 +28,8 @@ type Complex = readonly [number, number];
 const times = ([a, b]: Complex, [c, d]: Complex): Complex => [a * c - b * d, a * d + b * c];
 const over = ([a, b]: Complex, [c, d]: Complex): Complex => [(a * c + b * d) / (c * c + d * d), (b * c - a * d) / (c * c + d * d)];
 
-/** Value of a real polynomial (coefficients by rising powers) at a complex point. */
-function valueAt(polynomial: readonly number[], x: Complex): Complex {
+/** Value of a real polynomial at a complex point. */
+function complexValueAt(polynomial: readonly number[], x: Complex): Complex {
   return polynomial.reduceRight<Complex>((sum, a) => {
     const [re, im] = times(sum, x);
     return [re + a, im];
@@ -44,7 +45,7 @@ function zeros(polynomial: readonly number[]): Complex[] {
   for (let sweep = 0; sweep < 100; sweep++) {
     x.forEach((xk, k) => {
       const rest = x.reduce<Complex>((product, xj, j) => (j === k ? product : times(product, [xk[0] - xj[0], xk[1] - xj[1]])), [leading, 0]);
-      const [re, im] = over(valueAt(polynomial, xk), rest);
+      const [re, im] = over(complexValueAt(polynomial, xk), rest);
       x[k] = [xk[0] - re, xk[1] - im];
     });
   }
@@ -54,14 +55,14 @@ function zeros(polynomial: readonly number[]): Complex[] {
 /** The derivatives M, M', …, M^(s) of a polynomial given by rising powers. */
 function derivatives(polynomial: number[]): number[][] {
   const list = [polynomial];
-  for (let p = polynomial; p.length > 1; list.push(p)) p = p.slice(1).map((a, k) => (k + 1) * a);
+  while (list.at(-1)!.length > 1) list.push(derivativeOf(list.at(-1)!));
   return list;
 }
 
-/** @param nodes c_1 … c_s; @param nodePolynomial M by rising powers */
-export function transformOf(nodes: readonly number[], nodePolynomial: number[]): Transform {
+/** @param nodes c_1 … c_s */
+export function transformOf(nodes: readonly number[]): Transform {
   const s = nodes.length;
-  const M = derivatives(nodePolynomial);
+  const M = derivatives(nodePolynomial(nodes));
   const mus = zeros(M.map((p) => p[0]!).reverse());
   const rounding = 1e-9 * Math.hypot(...mus[0]!);
   const chosen = [...mus.filter(([, im]) => Math.abs(im) < rounding).map(([re]): Complex => [re, 0]), ...mus.filter(([, im]) => im <= -rounding).sort(([a, b], [c, d]) => d / c - b / a)];
@@ -70,7 +71,7 @@ export function transformOf(nodes: readonly number[], nodePolynomial: number[]):
   eigenvalues.forEach((gamma, e) => {
     const column = e === 0 ? 0 : 2 * e - (eigenvalues[0]![1] === 0 ? 1 : 0);
     nodes.forEach((c, i) => {
-      const [re, im] = valueAt(M.map((p) => valueAt(p, [c, 0])[0]), gamma);
+      const [re, im] = complexValueAt(M.map((p) => valueAt(p, c)), gamma);
       T[i * s + column] = re;
       if (gamma[1] !== 0) T[i * s + column + 1] = -im;
     });

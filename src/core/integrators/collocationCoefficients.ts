@@ -27,10 +27,12 @@ export interface Tableau {
  * multiplied by a vector (`collocationPolynomial.ts`).
  */
 export interface Corrections {
+  /** How many make sense: all, or the first alone where the ends of the steps are of order s + 1. */
+  readonly depth: 1 | 3;
   /** By rising powers: the integral of m(x) = M(x) / M(0), M the node polynomial; its integral; that of N(x) = x M(x) / N(at). */
   readonly shapes: readonly [Float64Array, Float64Array, Float64Array];
-  /** Largest size in [0, 1] of the second and the third. */
-  readonly largest: readonly [number, number];
+  /** Largest size of each in [0, 1]. */
+  readonly largest: readonly [number, number, number];
   /** Where N is largest, and what is known there: h u' by u's increments, m and its integral. */
   readonly at: number;
   readonly slope: Float64Array;
@@ -84,21 +86,22 @@ function tableau(nodes: number[], order: number): Tableau {
     A,
     transform: transformOf(nodes),
     startSlope: slopeWeights(nodes, 0),
-    corrections: correctionsOf(nodes),
+    corrections: correctionsOf(nodes, order > s + 1 ? 3 : 1),
   };
 }
 
-function correctionsOf(nodes: number[]): Corrections {
+function correctionsOf(nodes: number[], depth: 1 | 3): Corrections {
   const M = nodePolynomial(nodes);
   const m = M.map((a) => a / M[0]!);
   const integral = integralOf(m);
   const N = [0, ...M];
   const at = largestAt(N);
-  const shapes = [integral, integralOf(integral), integralOf(N.map((a) => a / valueAt(N, at)))].map((p) => Float64Array.from(p));
-  const [, second, third] = shapes as [Float64Array, Float64Array, Float64Array];
+  const shapes = [integral, integralOf(integral), integralOf(N.map((a) => a / valueAt(N, at)))] as const;
+  const [a, b, c] = shapes;
   return {
-    shapes: [shapes[0]!, second, third],
-    largest: [Math.abs(valueAt(second, largestAt(second))), Math.abs(valueAt(third, largestAt(third)))],
+    depth,
+    shapes: [Float64Array.from(a), Float64Array.from(b), Float64Array.from(c)],
+    largest: [largestSize(a), largestSize(b), largestSize(c)],
     at,
     slope: slopeWeights(nodes, at),
     m: valueAt(m, at),
@@ -111,6 +114,10 @@ function largestAt(polynomial: ArrayLike<number>): number {
   let best = 0;
   for (let k = 0; k <= LOOKS; k++) if (Math.abs(valueAt(polynomial, k / LOOKS)) > Math.abs(valueAt(polynomial, best))) best = k / LOOKS;
   return best;
+}
+
+function largestSize(polynomial: ArrayLike<number>): number {
+  return Math.abs(valueAt(polynomial, largestAt(polynomial)));
 }
 
 /** h u'(t0 + x h) is the sum of these times u(t0 + c_i h) - y0. */

@@ -5,8 +5,7 @@ import { luFactor, luSolve } from '../linalg/lu.ts';
  * I - h gamma J, factored, for one eigenvalue gamma of a Runge-Kutta matrix.
  *
  * Where y = (q, v) with q' = v, J is [0 I; K D] in blocks, and (I - g J) (x, y) = (a, b), g = h gamma, needs factors
- * of half the dimension alone: (I - g D - g^2 K) y = b + g K a, x = a + g y. E. Hairer, C. Lubich, M. Roche treat second
- * order equations so in The Numerical Solution of Differential-Algebraic Systems by Runge-Kutta Methods (1989).
+ * of half the dimension alone: (I - g D - g^2 K) y = b + g K a, x = a + g y, as in the authors' RADAU5 for such systems.
  */
 export interface Block {
   readonly real: boolean;

@@ -15,9 +15,10 @@ import { valueAt } from './polynomials.ts';
  *   twist     the integral of that               h J bend: O(h^(s+2))
  *   rest      integral of N, N = x M             what is left of the defect at one more point: O(h^(s+2))
  *
- * so that the error between the ends is O(h^(s+3)), or that of y1 if this is larger. Interpolants from the defect are those
- * of W. Enright, K. Jackson, S. Nørsett, P. Thomsen, "Interpolants for Runge-Kutta formulas", ACM Trans. Math. Software
- * 12 (1986), 193-218.
+ * The error between the ends then is O(h^(s+3)), or that of y1 if this is larger; an old Jacobian leaves a part of the
+ * O(h^(s+2)). For Gauss with one stage and Radau with two, whose ends are of order s + 1, `bend` is all that makes sense,
+ * and the others are zero. Interpolants from the defect: W. Enright, K. Jackson, S. Nørsett, P. Thomsen, "Interpolants for
+ * Runge-Kutta formulas", ACM Trans. Math. Software 12 (1986), 193-218.
  */
 export class CollocationPolynomial {
   /** Increments u(t0 + c_i h) - y0, s x n. */

@@ -6,7 +6,7 @@ import { sameContent } from './draft.ts';
 import { Menu } from './menu.tsx';
 import { text } from './text.ts';
 
-export function TopBar({ keysOpen, methodsOpen }: { keysOpen: Signal<boolean>; methodsOpen: Signal<boolean> }) {
+export function TopBar({ keysOpen, methodsOpen, analysisOpen }: { keysOpen: Signal<boolean>; methodsOpen: Signal<boolean>; analysisOpen: Signal<boolean> }) {
   const ui = useUi();
   const { state, actions } = ui.app;
   const theme = state.theme.value;
@@ -15,6 +15,7 @@ export function TopBar({ keysOpen, methodsOpen }: { keysOpen: Signal<boolean>; m
       <h1 class="wordmark">{text.name}</h1>
       <CaseMenu />
       <span class="spring" />
+      <button type="button" class="quiet" data-testid="analysis-open" aria-expanded={analysisOpen.value} onClick={() => { analysisOpen.value = !analysisOpen.value; }}>{text.analysis.open}</button>
       <button type="button" class="quiet" data-testid="methods" onClick={() => { methodsOpen.value = true; }}>{text.methods.open}</button>
       <OpenButton />
       {ui.app.samples.length > 0 && (

@@ -1,4 +1,5 @@
 import type { ControlReport } from './report.ts';
+import type { ScenarioLocus } from './scenarioLocus.ts';
 
 /**
  * A linearization and its design as text for other programs. All numbers are SI and radians and are read back exactly:
@@ -99,4 +100,11 @@ function diagonalMatrix(diagonal: readonly number[]): number[][] {
 /** Whole numbers plainly, others with 17 significant digits. */
 export function digits(x: number): string {
   return Number.isInteger(x) && Math.abs(x) < 1e15 ? (Object.is(x, -0) ? '-0' : String(x)) : x.toPrecision(17);
+}
+
+/** A root locus, one value a line: what was varied, then real and imaginary part of every branch (1/s). */
+export function locusCsv({ request, values, branches }: Pick<ScenarioLocus, 'request' | 'values' | 'branches'>): string {
+  const head = [request.name, ...branches.flatMap((_, i) => [`re_${i + 1}`, `im_${i + 1}`])];
+  const rows = values.map((value, k) => [value, ...branches.flatMap((branch) => [...branch[k]!])].map(digits));
+  return `${[head, ...rows].map((row) => row.join(',')).join('\n')}\n`;
 }

@@ -1,11 +1,9 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
 import { hasCloseUp } from '../core/models/roster.ts';
-import { checkScenario, collectScenarioErrors } from '../core/scenario/schema.ts';
-import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
-import type { RunCounts } from '../core/simulation/simulation.ts';
+import { collectScenarioErrors } from '../core/scenario/schema.ts';
+import type { ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
-import { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { Comparison } from './comparison.ts';
 import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
@@ -15,8 +13,9 @@ import { LocusClient } from './locusClient.ts';
 import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
+import { Runs } from './runs.ts';
 import { samples } from './samples.ts';
-import type { App, AppActions, AppState, CaseInfo, Motion } from './types.ts';
+import type { App, AppActions, AppState, CaseInfo } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
 
@@ -39,7 +38,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
-  const runs = new Runs(state, client, messages);
+  const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
   keepDrafts(state);
   const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
   runPlaybackClock(state, {
@@ -51,6 +50,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const actions: AppActions = {
     open: () => runs.run(!preferences.reducedMotion),
     run: () => runs.run(),
+    retune: () => runs.retune(),
     cancel: () => client.cancel(),
     reset: () => void (state.draft.value = state.origin.peek().scenario),
     loadCase(id) {
@@ -180,104 +180,4 @@ async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): P
   const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`] : [];
   const text = await csv.write(columns, columns.map((name) => trajectory.column(name)!.slice()), comments);
   download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, [text], 'text/csv');
-}
-
-/** Starts runs and turns what the worker sends into the motion being watched. */
-class Runs {
-  private nextMotion = 1;
-  private readonly state: AppState;
-  private readonly client: RunClient;
-  private readonly messages: Messages;
-
-  constructor(state: AppState, client: RunClient, messages: Messages) {
-    this.state = state;
-    this.client = client;
-    this.messages = messages;
-  }
-
-  /** Puts another motion (a file) in place; a run still computing is abandoned. */
-  show(motion: Omit<Motion, 'id'>): void {
-    this.client.abandon();
-    const { state } = this;
-    state.run.value = null;
-    state.statistics.value = null;
-    state.time.value = motion.trajectory.start;
-    state.motion.value = { ...motion, id: this.nextMotion++ };
-    settleView(state);
-    state.rowsVersion.value++;
-    state.playing.value = true;
-  }
-
-  /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
-  run(autoplay = true): void {
-    const { state, messages } = this;
-    const draft = state.draft.peek();
-    let scenario;
-    try {
-      scenario = checkScenario(draft, systemMetas);
-    } catch (error) {
-      if (!(error instanceof ScenarioError)) throw error;
-      messages.add('error', 'The scenario cannot run', [error.message]);
-      return;
-    }
-    const origin = state.origin.peek();
-    const title = origin.scenario === draft ? origin.title : `${origin.title}, changed`;
-    let motion: Motion | null = null;
-    const before = state.run.peek();
-    // From now on what the page says of a run is said of this one.
-    state.run.value = { kind: 'computing', progress: 0 };
-    this.client.start(scenario, {
-      started: (columns, adjustments, notes) => {
-        motion = {
-          id: this.nextMotion++,
-          source: 'run',
-          title,
-          system: systemViews[scenario.system]!,
-          parameters: scenario.parameters,
-          trajectory: new Trajectory(columns),
-          constraints: scenario.constraints,
-          scenario,
-          written: draft,
-          adjustments,
-          issues: [],
-          marks: [],
-          judgement: null,
-        };
-        if (notes.length > 0) messages.add('info', 'About the start', notes);
-      },
-      rows: (columns, rows, time, counts) => {
-        motion!.trajectory.append(columns, rows);
-        this.adopt(motion!, autoplay);
-        state.rowsVersion.value++;
-        this.count(counts);
-        if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
-      },
-      ended: (end, counts) => {
-        this.count(counts);
-        state.run.value = { kind: 'ended', reason: end.reason, message: end.message, time: end.time };
-        if (end.reason !== 'end' && end.reason !== 'cancelled') {
-          state.motion.value = { ...motion!, marks: [{ time: end.time, name: end.reason }] };
-        }
-      },
-      refused: (path, message) => {
-        messages.add('error', 'The run could not go on', [path && !message.startsWith(path) ? `${path}: ${message}` : message]);
-        if (state.motion.peek() === motion && motion) state.run.value = { kind: 'ended', reason: 'failed', message, time: motion.trajectory.end };
-        else state.run.value = before?.kind === 'ended' ? before : null;
-      },
-    });
-  }
-
-  /** The new motion takes the stage with its first rows, never empty: there is no stale or blank frame between. */
-  private adopt(motion: Motion, autoplay: boolean): void {
-    const { state } = this;
-    if (state.motion.peek()?.id === motion.id) return;
-    state.time.value = 0;
-    state.motion.value = motion;
-    settleView(state);
-    state.playing.value = autoplay;
-  }
-
-  private count(counts: RunCounts): void {
-    this.state.statistics.value = counts;
-  }
 }

@@ -117,6 +117,8 @@ export interface AppActions {
   /** First run of a visit: plays by itself unless the person asks for less motion. */
   open(): void;
   run(): void;
+  /** The motion being watched goes on from the playback time with the draft's controller and inputs. */
+  retune(): void;
   cancel(): void;
   /** Back to the case the draft came from. */
   reset(): void;

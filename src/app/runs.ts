@@ -1,0 +1,195 @@
+import { checkScenario } from '../core/scenario/schema.ts';
+import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
+import type { Continuation, RunCounts } from '../core/simulation/simulation.ts';
+import type { SystemMeta } from '../core/systems/types.ts';
+import { systemViews } from '../core/systems/views.ts';
+import { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { Messages } from './messages.ts';
+import type { RunClient } from './runClient.ts';
+import type { AppState, Motion } from './types.ts';
+
+/** A mark where the controller was changed under way; one that follows sooner than this (s) takes the place of the last. */
+const RETUNED = 'retuned';
+const MARKS_APART = 0.25;
+
+/** Starts runs and turns what the worker sends into the motion being watched. */
+export class Runs {
+  private nextMotion = 1;
+  private readonly state: AppState;
+  private readonly client: RunClient;
+  private readonly messages: Messages;
+  private readonly metas: Readonly<Record<string, SystemMeta>>;
+  private readonly settle: () => void;
+  /** A run that goes on from another has not sent its first rows yet; and the draft changed since. */
+  private going = false;
+  private stale = false;
+
+  /** @param settle called when another motion took the stage */
+  constructor(state: AppState, client: RunClient, messages: Messages, metas: Readonly<Record<string, SystemMeta>>, settle: () => void) {
+    this.state = state;
+    this.client = client;
+    this.messages = messages;
+    this.metas = metas;
+    this.settle = settle;
+  }
+
+  /** Puts another motion (a file) in place; a run still computing is abandoned. */
+  show(motion: Omit<Motion, 'id'>): void {
+    this.client.abandon();
+    this.going = this.stale = false;
+    const { state } = this;
+    state.run.value = null;
+    state.statistics.value = null;
+    state.time.value = motion.trajectory.start;
+    state.motion.value = { ...motion, id: this.nextMotion++ };
+    this.settle();
+    state.rowsVersion.value++;
+    state.playing.value = true;
+  }
+
+  /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
+  run(autoplay = true): void {
+    const draft = this.state.draft.peek();
+    const scenario = this.checked(draft);
+    if (!scenario) return;
+    this.going = this.stale = false;
+    this.start(scenario, draft, null, autoplay);
+  }
+
+  /**
+   * The motion on the stage goes on from where it is played, with the draft's controller and inputs. What is not a run
+   * of the same plant, or has nothing left to come, is run from its start.
+   */
+  retune(): void {
+    const { state } = this;
+    const draft = state.draft.peek();
+    const scenario = this.checked(draft);
+    if (!scenario) return;
+    const before = state.motion.peek();
+    if (!before?.scenario || before.source !== 'run' || !samePlant(before.scenario, scenario)) return this.run();
+    if (this.going) {
+      this.stale = true;
+      return;
+    }
+    const row = before.trajectory.locate(state.time.peek());
+    const time = before.trajectory.column('t')![row]!;
+    if (row === 0 || time >= scenario.duration - scenario.outputStep || (state.run.peek()?.kind === 'ended' && row >= before.trajectory.length - 2)) return this.run();
+    this.going = true;
+    this.start(scenario, draft, { before, row, time }, state.playing.peek());
+  }
+
+  private checked(draft: ScenarioFile): Scenario | null {
+    try {
+      return checkScenario(draft, this.metas);
+    } catch (error) {
+      if (!(error instanceof ScenarioError)) throw error;
+      this.messages.add('error', 'The scenario cannot run', [error.message]);
+      return null;
+    }
+  }
+
+  private start(scenario: Scenario, draft: ScenarioFile, onward: Onward | null, autoplay: boolean): void {
+    const { state, messages } = this;
+    const origin = state.origin.peek();
+    const title = origin.scenario === draft ? origin.title : `${origin.title}, changed`;
+    let motion: Motion | null = null;
+    const run = state.run.peek();
+    // From now on what the page says of a run is said of this one.
+    state.run.value = { kind: 'computing', progress: 0 };
+    this.client.start(scenario, {
+      started: (columns, adjustments, notes) => {
+        motion = {
+          id: this.nextMotion++,
+          source: 'run',
+          title,
+          system: systemViews[scenario.system]!,
+          parameters: scenario.parameters,
+          trajectory: onward ? firstRows(onward, columns) : new Trajectory(columns),
+          constraints: scenario.constraints,
+          scenario,
+          written: draft,
+          adjustments: onward?.before.adjustments ?? adjustments,
+          issues: [],
+          marks: onward ? retunedMarks(onward) : [],
+          judgement: null,
+        };
+        if (notes.length > 0) messages.add('info', 'About the start', notes);
+      },
+      rows: (columns, rows, time, counts) => {
+        motion!.trajectory.append(columns, rows);
+        this.adopt(motion!, autoplay, onward !== null);
+        state.rowsVersion.value++;
+        this.count(counts);
+        if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+        this.wentOn();
+      },
+      ended: (end, counts) => {
+        this.count(counts);
+        state.run.value = { kind: 'ended', reason: end.reason, message: end.message, time: end.time };
+        if (end.reason !== 'end' && end.reason !== 'cancelled') {
+          state.motion.value = { ...motion!, marks: [...motion!.marks, { time: end.time, name: end.reason }] };
+        }
+      },
+      refused: (path, message) => {
+        messages.add('error', 'The run could not go on', [path && !message.startsWith(path) ? `${path}: ${message}` : message]);
+        if (state.motion.peek() === motion && motion) state.run.value = { kind: 'ended', reason: 'failed', message, time: motion.trajectory.end };
+        else state.run.value = run?.kind === 'ended' ? run : null;
+        this.wentOn();
+      },
+    }, onward ? continuationOf(onward, scenario) : undefined);
+  }
+
+  /** The first answer of a run that goes on is there; what changed meanwhile is taken up now. */
+  private wentOn(): void {
+    this.going = false;
+    if (!this.stale) return;
+    this.stale = false;
+    this.retune();
+  }
+
+  /** The new motion takes the stage with its first rows, never empty: there is no stale or blank frame between. */
+  private adopt(motion: Motion, autoplay: boolean, goesOn: boolean): void {
+    const { state } = this;
+    if (state.motion.peek()?.id === motion.id) return;
+    if (!goesOn) state.time.value = 0;
+    state.motion.value = motion;
+    this.settle();
+    if (!goesOn) state.playing.value = autoplay;
+  }
+
+  private count(counts: RunCounts): void {
+    this.state.statistics.value = counts;
+  }
+}
+
+/** The row of a motion from which another run goes on. */
+interface Onward {
+  before: Motion;
+  row: number;
+  time: number;
+}
+
+/** The same equations of motion, rows and times: only what acts on them may differ. */
+function samePlant(a: Scenario, b: Scenario): boolean {
+  const plant = ({ system, parameters, constraints, hold, outputStep }: Scenario): string => JSON.stringify([system, parameters, constraints, hold, outputStep]);
+  return plant(a) === plant(b);
+}
+
+function continuationOf({ before: { system, trajectory }, row, time }: Onward, scenario: Scenario): Continuation {
+  const names = system.meta.coordinates.map((c) => c.name);
+  const at = (name: string): number => trajectory.column(name)![row]!;
+  return { time: Math.round(time / scenario.outputStep) * scenario.outputStep, q: names.map(at), v: names.map((name) => at(`${name}_dot`)) };
+}
+
+/** The rows up to and with the one to go on from, in the new run's columns; what the old run did not have is not a number. */
+function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[]): Trajectory {
+  const rows = row + 1;
+  const kept = new Trajectory(columns, Math.max(1024, 2 * rows));
+  kept.append(columns.map((name) => trajectory.column(name)?.subarray(0, rows) ?? new Float64Array(rows).fill(NaN)), rows);
+  return kept;
+}
+
+function retunedMarks({ before, time }: Onward): Motion['marks'] {
+  const earlier = before.marks.filter((m) => m.time <= time && !(m.name === RETUNED && time - m.time < MARKS_APART));
+  return [...earlier, { time, name: RETUNED }];
+}

@@ -2,12 +2,13 @@ import { Matrix } from 'ml-matrix';
 import { StartError } from '../dynamics/consistentStart.ts';
 import { ScenarioError, type Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
+import { setTo, type OneOpen } from './families.ts';
 import { linearize } from './linearize.ts';
 import { ControlError } from './matrices.ts';
 import { rootLocus, type CriticalValue, type RootLocus } from './rootLocus.ts';
 import { linearizedInputs, lqrOf, plantOf } from './scenarioControl.ts';
 import type { Complex } from './spectrum.ts';
-import { steadyMotionAt, type Plant } from './steadyMotion.ts';
+import { steadyMotionAt } from './steadyMotion.ts';
 
 /** Which number of a scenario is varied, and over what (SI). */
 export interface LocusRequest {
@@ -54,14 +55,14 @@ export function scenarioLocus(scenario: Scenario, system: System, request: Locus
   const { from, to, count, closed } = request;
   if (!(Number.isFinite(from) && Number.isFinite(to) && from < to)) throw new ScenarioError('', 'the range must rise from a number to a larger one');
   if (!(Number.isInteger(count) && count >= 2 && count <= MOST_VALUES)) throw new ScenarioError('', `between 2 and ${MOST_VALUES} values can be asked for`);
-  const vary = varied(scenario, system, request);
+  const open = oneOpen(scenario, system, request);
   const inputs = closed ? linearizedInputs(scenario, system.meta) : [];
   const gain = closed ? lqrOf(scenario, system).gain : null;
   const skipped: ScenarioLocus['skipped'] = [];
   const asked = new Set<number>();
   const family = (value: number): Matrix | null => {
     try {
-      const { plant, at } = vary(value);
+      const { plant, at } = setTo(open, value);
       const { A, B, basis: N, tangentA } = linearize(steadyMotionAt(plant, at), inputs);
       return gain ? N.transpose().mmul(Matrix.sub(A, B.mmul(gain))).mmul(N) : tangentA;
     } catch (error) {
@@ -105,13 +106,10 @@ function together(critical: readonly CriticalValue[], width: number): CriticalPo
   return points.filter((point) => point.unstableBelow !== point.unstableAbove);
 }
 
-/** The plant and the operating point at a value of what is varied. */
-function varied(scenario: Scenario, system: System, { vary, name }: LocusRequest): (value: number) => { plant: Plant; at: Record<string, number> } {
+/** What of a scenario stays, and what is open. */
+function oneOpen(scenario: Scenario, system: System, { vary, name }: LocusRequest): OneOpen {
   const { control } = scenario;
   const at = ((control?.type === 'lqr' ? control.at : undefined) ?? scenario.at) as Record<string, number>;
-  const plant = plantOf(scenario, system);
-  if (vary === 'at') return (value) => ({ plant, at: { ...at, [name]: value } });
-  const index = system.meta.parameters.findIndex((p) => p.name === name);
-  if (index < 0) throw new ScenarioError('', `there is no parameter "${name}"`);
-  return (value) => ({ plant: { ...plant, parameters: Float64Array.from(plant.parameters, (p, i) => (i === index ? value : p)) }, at });
+  if (vary === 'parameter' && !system.meta.parameters.some((p) => p.name === name)) throw new ScenarioError('', `there is no parameter "${name}"`);
+  return { plant: plantOf(scenario, system), at, varied: { kind: vary, name } };
 }

@@ -1,4 +1,5 @@
 // Exports are read back by small readers of their own, and every number is the same to the last bit.
+import { spawnSync } from 'node:child_process';
 import { describe, expect, test } from 'vitest';
 import { analyse } from '../../../src/core/control/analysis.ts';
 import { designCsv, designJson, designMatlab, designNumpy, digits, exportFormats, type Design } from '../../../src/core/control/exports.ts';
@@ -71,6 +72,11 @@ describe('exports of a design', () => {
     const plain = write(open);
     same(readMatrix(plain, 'A'), open.A);
     for (const name of ['Q', 'R', 'K']) expect(readMatrix(plain, name)).toBeNull();
+  });
+
+  test('NumPy text is Python', () => {
+    const python = spawnSync('python3', ['-c', 'import ast, sys; ast.parse(sys.stdin.read())'], { input: designNumpy(placed) });
+    if (!python.error) expect(String(python.stderr)).toBe('');
   });
 
   test('formats end as their programs expect', () => {

@@ -31,7 +31,7 @@ export interface LocusPlot {
 /** Real parts against what is varied: the half above zero is tinted, critical values are marked. */
 export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, curves, marks, bend, colors, onPoint }: LocusPlotOptions): LocusPlot {
   const font = '11px system-ui, sans-serif';
-  const axis = { stroke: colors.ink, grid: { stroke: colors.line, width: 1 }, ticks: { stroke: colors.line, width: 1 }, font, labelFont: font, labelSize: 16 };
+  const axis = { stroke: colors.ink, grid: { stroke: colors.line, width: 1 }, ticks: { stroke: colors.line, width: 1 }, font, labelFont: font, labelSize: 16, values: (_plot: uPlot, splits: number[]) => splits.map(tickText) };
   const plot = new uPlot(
     {
       width: Math.max(100, host.clientWidth),
@@ -43,7 +43,7 @@ export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, cur
         { ...axis, label: xLabel, size: 28 },
         { ...axis, label: yLabel, size: 52 },
       ],
-      series: [{}, ...curves.map(({ color, dash, width }) => ({ stroke: color, width: width ?? 1.5, dash: dash ? [...dash] : undefined, points: { show: false }, spanGaps: false }))],
+      series: [{}, ...curves.map(({ color, dash, width }) => ({ stroke: color, width: width ?? 1.5, dash: dash ? [...dash] : undefined, points: { show: false }, spanGaps: false, pxAlign: 0 }))],
       hooks: {
         drawClear: [(u) => fillAbove(u, colors.above)],
         draw: [(u) => drawMarks(u, marks, colors.mark, colors.ink)],
@@ -58,6 +58,8 @@ export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, cur
     destroy: () => plot.destroy(),
   };
 }
+
+const tickText = (x: number | null): string => (x === null ? '' : String(Number(x.toPrecision(10))).replace('-', '\u2212'));
 
 function withZero(low: number, high: number): [number, number] {
   const [from, to] = [Math.min(0, low), Math.max(0, high)];

@@ -4,12 +4,12 @@ import type { Signal } from '@preact/signals';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section, Toggle } from '../controls.tsx';
 import { formatFixed, formatShort, THIN } from '../format.ts';
-import { MathSymbol } from '../symbol.tsx';
 import { text } from '../text.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, type Cluster, type ModeRow } from './modes.ts';
 import type { StateName } from './names.ts';
-import { Plane, type Place } from './plane.tsx';
+import { CROSS, Plane, type Place } from './plane.tsx';
 import { isWide } from './planeScale.ts';
+import { StateSymbol } from './stateSymbol.tsx';
 
 type Names = ReadonlyMap<string, StateName>;
 const words = text.analysis;
@@ -45,7 +45,7 @@ export function Eigenvalues({ analysis, names }: { analysis: ControlAnalysis; na
 function Legend({ closed }: { closed: boolean }) {
   return (
     <p class="legend">
-      <span><svg width="12" height="12" aria-hidden="true"><circle class="mode-open" cx="6" cy="6" r="4" /></svg> {words.openLoop}</span>
+      <span><svg width="12" height="12" aria-hidden="true"><path class="mode-open" d={CROSS} transform="translate(6 6)" /></svg> {words.openLoop}</span>
       {closed && <span><svg width="12" height="12" aria-hidden="true"><circle class="mode-closed" cx="6" cy="6" r="4" /></svg> {words.closedLoop}</span>}
       <span><svg width="12" height="12" aria-hidden="true"><rect class="growing" width="12" height="12" /></svg> {words.growing}</span>
     </p>
@@ -86,7 +86,7 @@ function Mark({ at, cluster: { rows }, label }: { at: { x: number; y: number }; 
   return (
     <>
       <circle class="halo" cx={at.x} cy={at.y} r="12" />
-      <circle class={`mode-${rows[0]!.loop}`} cx={at.x} cy={at.y} r={rows[0]!.loop === 'open' ? 5 : 3.5} />
+      {rows[0]!.loop === 'open' ? <path class="mode-open" d={CROSS} transform={`translate(${at.x} ${at.y})`} /> : <circle class="mode-closed" cx={at.x} cy={at.y} r="4.5" />}
       {label && rows.length > 1 && <text class="multiplicity" x={at.x + 8} y={at.y - 7}>{rows.length}×</text>}
     </>
   );
@@ -150,7 +150,7 @@ export function Movers({ moves, names, most = 5 }: { moves: readonly string[]; n
   const label = moves.map((name) => names.get(name)?.label ?? name).join(', ');
   return (
     <span class="movers" title={label}>
-      {moves.slice(0, most).map((name) => <MathSymbol key={name} of={names.get(name)?.symbol ?? name} />)}
+      {moves.slice(0, most).map((name) => <StateSymbol key={name} state={names.get(name)} name={name} />)}
       {moves.length > most && <span aria-hidden="true">…</span>}
       <span class="hidden">{label}</span>
     </span>

@@ -4,10 +4,10 @@ import { exportFormats, type ExportFormat } from '../../core/control/exports.ts'
 import type { SystemMeta } from '../../core/systems/types.ts';
 import { Section } from '../controls.tsx';
 import { formatScientific, formatShort } from '../format.ts';
-import { MathSymbol } from '../symbol.tsx';
 import { text } from '../text.ts';
 import type { StateName } from './names.ts';
 import { InputHead } from './reachSection.tsx';
+import { StateSymbol } from './stateSymbol.tsx';
 
 const words = text.analysis;
 /** Gains below this share of the largest are rounding. */
@@ -46,7 +46,7 @@ function Gains({ analysis: { inputs, states, Q, R, careResidual }, K, names, met
               const state = names.get(name);
               return (
                 <tr key={name}>
-                  <th scope="row" title={state?.label}><MathSymbol of={state?.symbol ?? name} /><span class="hidden">{state?.label ?? name}</span></th>
+                  <th scope="row" title={state?.label}><StateSymbol state={state} name={name} /><span class="hidden">{state?.label ?? name}</span></th>
                   <td class="hint">{state?.unit}</td>
                   {K.map((row, k) => <td key={inputs[k]} class="number">{show(row[i]!)}</td>)}
                   <td class="number">{formatShort(Q?.[i] ?? 0)}</td>

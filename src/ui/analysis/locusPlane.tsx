@@ -3,7 +3,7 @@ import type { Signal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import type { ScenarioLocus } from '../../core/control/scenarioLocus.ts';
 import type { Complex } from '../../core/control/spectrum.ts';
-import { Plane, type Place } from './plane.tsx';
+import { CROSS, Plane, type Place } from './plane.tsx';
 
 export function LocusPlane({ locus, index, logarithmic, label }: { locus: ScenarioLocus; index: Signal<number>; logarithmic: boolean; label: string }) {
   const eigenvalues = useMemo(() => locus.branches.flat(), [locus]);
@@ -34,7 +34,7 @@ function Paths({ locus, place }: { locus: ScenarioLocus; place: Place }) {
         return (
           <g key={i}>
             <polyline class="locus-path" points={points(branch)} />
-            <circle class="mode-open" cx={start.x} cy={start.y} r="3" />
+            <path class="mode-open" d={CROSS} transform={`translate(${start.x} ${start.y}) scale(0.8)`} />
           </g>
         );
       })}

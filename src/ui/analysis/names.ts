@@ -4,7 +4,7 @@ import type { SystemMeta } from '../../core/systems/types.ts';
 
 export interface StateName {
   name: string;
-  /** With a dot over a rate's letter. */
+  /** Of a rate, that of its coordinate. */
   symbol: string;
   label: string;
   /** SI, e.g. `rad/s`. */
@@ -14,15 +14,12 @@ export interface StateName {
   part: 'board' | 'front' | 'back';
 }
 
-const DOT = '\u0307';
-
 export function stateNames({ coordinates }: Pick<SystemMeta, 'coordinates'>, rateWord: string): Map<string, StateName> {
   const names = new Map<string, StateName>();
   for (const { name, symbol, label, kind, part } of coordinates) {
     const [angle, unit] = [kind === 'angle', kind === 'angle' ? 'rad' : 'm'];
     names.set(name, { name, symbol, label, unit, angle, rate: false, part });
-    const dotted = symbol.replace(/^./u, (letter) => letter + DOT);
-    names.set(`${name}_dot`, { name: `${name}_dot`, symbol: dotted, label: `${label}, ${rateWord}`, unit: `${unit}/s`, angle, rate: true, part });
+    names.set(`${name}_dot`, { name: `${name}_dot`, symbol, label: `${label}, ${rateWord}`, unit: `${unit}/s`, angle, rate: true, part });
   }
   return names;
 }

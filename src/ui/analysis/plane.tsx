@@ -9,6 +9,9 @@ import { extent, linearScale, logarithmicScale, smallest } from './planeScale.ts
 const MARGIN = { left: 52, right: 12, top: 12, bottom: 34 };
 const LEAST_GAP = { x: 44, y: 20 };
 
+/** What an open-loop eigenvalue is drawn as. */
+export const CROSS = 'M-4.5 -4.5L4.5 4.5M4.5 -4.5L-4.5 4.5';
+
 export type Place = (eigenvalue: Complex) => { x: number; y: number };
 
 export function Plane({ eigenvalues, logarithmic, height = 300, label, testId, children }: {

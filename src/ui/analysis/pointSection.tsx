@@ -1,8 +1,9 @@
 /** The operating point: what is named, what moves, and the multipliers that carry it. */
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { STATE_ALIASES } from '../../core/scenario/defaults.ts';
+import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import type { SystemView } from '../../core/systems/types.ts';
-import { edit, useUi } from '../context.ts';
+import { edit, useUi, type Ui } from '../context.ts';
 import { Section } from '../controls.tsx';
 import { formatQuantity, formatShort, THIN } from '../format.ts';
 import { NumberField } from '../numberField.tsx';
@@ -10,6 +11,7 @@ import { MathSymbol } from '../symbol.tsx';
 import { text } from '../text.ts';
 import type { NumberSpec } from '../useNumberField.ts';
 import { pointOf, pointPath, withPoint, type StateName } from './names.ts';
+import { StateSymbol } from './stateSymbol.tsx';
 
 const words = text.analysis;
 
@@ -28,7 +30,7 @@ export function PointSection({ analysis, names, system }: { analysis: ControlAna
         <select data-testid="point-add" value="" onChange={(event) => {
           const name = event.currentTarget.value;
           event.currentTarget.value = '';
-          if (name) edit(ui, (now) => withPoint(now, name, 0));
+          if (name) setPoint(ui, name, 0);
         }}>
           <option value="">{words.choose}</option>
           {known.filter((name) => !shown.includes(name)).map((name) => <option key={name} value={name}>{names.get(name)?.label ?? name}</option>)}
@@ -38,6 +40,12 @@ export function PointSection({ analysis, names, system }: { analysis: ControlAna
       {analysis && <Motion analysis={analysis} names={names} system={system} />}
     </Section>
   );
+}
+
+/** Where the point is a controller's, the running motion goes on with the new one. */
+function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): void {
+  edit(ui, (now) => withPoint(now, name, value));
+  if (ui.app.state.draft.peek().control?.type === 'lqr') ui.app.actions.retune();
 }
 
 /** How fast it goes: a word of the system's own, or the rate of its first coordinate. */
@@ -53,9 +61,9 @@ function PointField({ name, names }: { name: string; names: ReadonlyMap<string, 
   const unit = state ? (state.angle ? state.unit.replace('rad', '°') : state.unit) : 'm/s';
   const spec: NumberSpec = {
     path: `${pointPath(draft)}.${name}`, label: state?.label ?? name, unit, angle: state?.angle ?? false, optional: true, rest: 0, step: state?.angle ? 1 : 0.1,
-    value: pointOf(draft)[name], base: origin && pointOf(origin)[name], commit: (value) => edit(ui, (now) => withPoint(now, name, value)),
+    value: pointOf(draft)[name], base: origin && pointOf(origin)[name], commit: (value) => setPoint(ui, name, value),
   };
-  return <NumberField symbol={state?.symbol ?? 'v'} spec={spec} placeholder={words.rest} testId={`point-${name}`} />;
+  return <div class={state?.rate ? 'dotted' : undefined}><NumberField symbol={state?.symbol ?? 'v'} spec={spec} placeholder={words.rest} testId={`point-${name}`} /></div>;
 }
 
 function Motion({ analysis: { point }, names, system }: { analysis: ControlAnalysis; names: ReadonlyMap<string, StateName>; system: SystemView }) {
@@ -63,7 +71,7 @@ function Motion({ analysis: { point }, names, system }: { analysis: ControlAnaly
   const rates = coordinates.flatMap((c, i) => (point.v[i] !== 0 ? [{ name: c.name, state: names.get(`${c.name}_dot`)!, value: point.v[i]! }] : []));
   const values = coordinates.flatMap((c, i) => (point.q[i] !== 0 ? [{ state: names.get(c.name)!, value: point.q[i]! }] : []));
   return (
-    <dl class="facts" data-testid="operating-point">
+    <dl class="point-facts" data-testid="operating-point">
       <div><dt>{words.moves}</dt><dd>{rates.length === 0 ? words.nothingMoves : rates.map(({ name, state, value }) => <Fact key={name} state={state} value={value} />)}</dd></div>
       {values.length > 0 && <div><dt>{words.stands}</dt><dd>{values.map(({ state, value }) => <Fact key={state.name} state={state} value={value} />)}</dd></div>}
       {point.multipliers.length > 0 && (
@@ -81,7 +89,7 @@ function Motion({ analysis: { point }, names, system }: { analysis: ControlAnaly
 function Fact({ state, value }: { state: StateName; value: number }) {
   return (
     <span class="fact" title={state.label}>
-      <MathSymbol of={state.symbol} /><span class="hidden">{state.label}</span> {formatQuantity(value, state.angle ? state.unit.replace('rad', '°') : state.unit)}
+      <StateSymbol state={state} name={state.name} /><span class="hidden">{state.label}</span> {formatQuantity(value, state.angle ? state.unit.replace('rad', '°') : state.unit)}
     </span>
   );
 }

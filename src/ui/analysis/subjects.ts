@@ -38,8 +38,8 @@ function point(name: string, label: string, symbol: string, unit: string, angle:
 const shown = (unit: string, angle: boolean) => ({ unit: angle ? unit.replace('rad', '°') : unit, factor: angle ? DEGREES : 1, angle });
 
 /** A range to begin with, SI: a walk to a fast ride for speeds, around its value for a parameter. */
-export function offeredRange({ vary, angle, least, most }: LocusSubject, value: number): { from: number; to: number } {
-  if (vary === 'at') return angle ? { from: 0, to: 10 } : { from: 0, to: 10 };
+export function offeredRange({ vary, name, angle, least, most }: LocusSubject, value: number): { from: number; to: number } {
+  if (vary === 'at') return { from: 0, to: name === 'speed' ? 10 : 5 };
   const reach = Math.abs(value) || (angle ? 0.5 : 1);
   const from = Math.max(value > 0 ? value - 0.9 * reach : value - reach, least);
   return { from: tidy(from), to: tidy(Math.min(value + reach, most)) };

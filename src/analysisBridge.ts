@@ -2,12 +2,13 @@ import type { App } from './app/types.ts';
 import type { LocusCurve, LocusPlot } from './charts/locusPlot.ts';
 import type { ScenarioLocus } from './core/control/scenarioLocus.ts';
 
-/** How a locus is drawn: axis labels, a factor from SI to the unit shown, and where to bend the scale, if anywhere. */
+/** How a locus is drawn: axis labels, a factor from SI to the unit shown, and for a scale that bends to logarithmic, where and its ticks. */
 export interface LocusDrawing {
   xLabel: string;
   yLabel: string;
   factor: number;
   bend?: number;
+  ticks?: readonly number[];
   onPoint(index: number | null): void;
 }
 

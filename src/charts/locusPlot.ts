@@ -18,6 +18,8 @@ export interface LocusPlotOptions {
   marks: readonly number[];
   /** Linear up to about this size, logarithmic beyond; without it, linear. */
   bend?: number;
+  /** Of the y axis; its own choice where they are not given. */
+  ticks?: readonly number[];
   colors: { ink: string; line: string; mark: string; above: string };
   /** The value under the pointer, as an index; null when it leaves. */
   onPoint(index: number | null): void;
@@ -29,7 +31,7 @@ export interface LocusPlot {
 }
 
 /** Real parts against what is varied: the half above zero is tinted, critical values are marked. */
-export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, curves, marks, bend, colors, onPoint }: LocusPlotOptions): LocusPlot {
+export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, curves, marks, bend, ticks, colors, onPoint }: LocusPlotOptions): LocusPlot {
   const font = '11px system-ui, sans-serif';
   const axis = { stroke: colors.ink, grid: { stroke: colors.line, width: 1 }, ticks: { stroke: colors.line, width: 1 }, font, labelFont: font, labelSize: 16, values: (_plot: uPlot, splits: number[]) => splits.map(tickText) };
   const plot = new uPlot(
@@ -41,7 +43,7 @@ export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, cur
       scales: { x: { time: false }, y: { ...(bend === undefined ? {} : { distr: 4 as const, asinh: bend }), range: (_plot, low, high) => withZero(low, high) } },
       axes: [
         { ...axis, label: xLabel, size: 28 },
-        { ...axis, label: yLabel, size: 52 },
+        { ...axis, label: yLabel, size: 52, ...(ticks ? { splits: () => [...ticks] } : {}) },
       ],
       series: [{}, ...curves.map(({ color, dash, width }) => ({ stroke: color, width: width ?? 1.5, dash: dash ? [...dash] : undefined, points: { show: false }, spanGaps: false, pxAlign: 0 }))],
       hooks: {

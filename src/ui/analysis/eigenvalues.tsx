@@ -65,14 +65,19 @@ function Points({ clusters, names, place, pointed }: { clusters: readonly Cluste
     const group = (event.currentTarget as Element).querySelectorAll<SVGElement>('[tabindex]');
     group[(Math.max(0, current) + step + order.length) % order.length]?.focus();
   };
+  const point = (event: PointerEvent) => {
+    const near = nearest(order, place, event);
+    if (near) pointed.value = keyOf(near);
+  };
   return (
-    <g onKeyDown={onKeyDown}>
+    <g onKeyDown={onKeyDown} onPointerMove={point} onPointerDown={point}>
+      <rect class="halo" width="100%" height="100%" />
       {order.map((cluster, i) => {
         const { eigenvalue: [re, im], rows } = cluster;
         const on = i === current;
         const show = () => { pointed.value = keyOf(cluster); };
         return (
-          <g key={keyOf(cluster)} class={`point${on ? ' on' : ''}`} role="img" tabIndex={i === Math.max(0, current) ? 0 : -1} onFocus={show} onPointerEnter={show} onPointerDown={show}
+          <g key={keyOf(cluster)} class={`point${on ? ' on' : ''}`} role="img" tabIndex={i === Math.max(0, current) ? 0 : -1} onFocus={show}
             aria-label={rows.map((row) => modeSentence(row, names)).join('; ')}>
             {(im === 0 ? [1] : [1, -1]).map((side) => <Mark key={side} at={place([re, side * im])} cluster={cluster} label={side > 0} />)}
           </g>
@@ -82,12 +87,29 @@ function Points({ clusters, names, place, pointed }: { clusters: readonly Cluste
   );
 }
 
+/** Points crowd: the one nearest to the pointer is meant, within reach of a finger. */
+const REACH = 28;
+
+function nearest(clusters: readonly Cluster[], place: Place, event: PointerEvent): Cluster | null {
+  const box = (event.currentTarget as SVGGElement).ownerSVGElement!.getBoundingClientRect();
+  const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+  let best: { cluster: Cluster; distance: number } | null = null;
+  for (const cluster of clusters) {
+    for (const side of [1, -1]) {
+      const at = place([cluster.eigenvalue[0], side * cluster.eigenvalue[1]]);
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (distance <= REACH && distance < (best?.distance ?? Infinity)) best = { cluster, distance };
+    }
+  }
+  return best?.cluster ?? null;
+}
+
 function Mark({ at, cluster: { rows }, label }: { at: { x: number; y: number }; cluster: Cluster; label: boolean }) {
   return (
     <>
       <circle class="halo" cx={at.x} cy={at.y} r="12" />
       {rows[0]!.loop === 'open' ? <path class="mode-open" d={CROSS} transform={`translate(${at.x} ${at.y})`} /> : <circle class="mode-closed" cx={at.x} cy={at.y} r="4.5" />}
-      {label && rows.length > 1 && <text class="multiplicity" x={at.x + 8} y={at.y - 7}>{rows.length}×</text>}
+      {label && rows.length > 1 && <text class="multiplicity" x={at.x + 8} y={at.y + (rows[0]!.loop === 'open' ? -7 : 16)}>{rows.length}×</text>}
     </>
   );
 }
@@ -122,7 +144,7 @@ function Detail({ row, names }: { row: ModeRow | undefined; names: Names }) {
 function ModeTable({ title, rows, names, pointed, testId }: { title: string; rows: readonly ModeRow[]; names: Names; pointed: Signal<string | null>; testId: string }) {
   return (
     <div class="table-scroll">
-      <table data-testid={testId}>
+      <table class="modes" data-testid={testId}>
         {title && <caption>{title}</caption>}
         <thead><tr>{words.modeColumns.map((column) => <th key={column} scope="col">{column}</th>)}</tr></thead>
         <tbody>

@@ -8,14 +8,14 @@ import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemView } from '../../core/systems/types.ts';
 import { useUi } from '../context.ts';
 import { Check, Section } from '../controls.tsx';
-import { formatFixed, formatShort, THIN } from '../format.ts';
+import { formatShort, THIN } from '../format.ts';
 import { text } from '../text.ts';
 import type { SaveText } from './gainSection.tsx';
 import { LocusForm } from './locusForm.tsx';
 import { LocusPlane } from './locusPlane.tsx';
 import { eigenvalueText, signed } from './modes.ts';
 import { analysedPart, type StateName } from './names.ts';
-import { isWide, smallest } from './planeScale.ts';
+import { bendOf, isWide, logarithmicScale } from './planeScale.ts';
 import { subjectsOf, type LocusSubject } from './subjects.ts';
 
 const words = text.analysis;
@@ -25,6 +25,7 @@ export interface LocusDrawingProps {
   yLabel: string;
   factor: number;
   bend?: number;
+  ticks?: readonly number[];
   onPoint(index: number | null): void;
 }
 
@@ -89,12 +90,11 @@ function Locus({ done: { locus, subject }, plot, save, stale }: { done: Done; pl
   const index = useSignal(Math.floor(locus.values.length / 2));
   const host = useRef<HTMLDivElement>(null);
   const sizes = locus.branches.flatMap((branch) => branch.map((e) => Math.hypot(...e)));
-  const reals = locus.branches.flatMap((branch) => branch.map(([re]) => Math.abs(re)));
-  const wide = isWide(sizes.filter((x) => x > 1e-3 * Math.max(...sizes) || x > 0.05));
+  const wide = isWide(sizes.filter((x) => x > 1e-3 * Math.max(...sizes)));
   const axis = `${subject.label}, ${subject.unit || '1'}`;
   useEffect(
     () => plot(host.current!, locus, {
-      xLabel: axis, yLabel: words.realPart, factor: subject.factor, ...(wide ? { bend: smallest(reals.filter((x) => x > 1e-3)) } : {}),
+      xLabel: axis, yLabel: words.realPart, factor: subject.factor, ...(wide ? bentScale(locus) : {}),
       onPoint: (at) => { if (at !== null) index.value = at; },
     }),
     [locus],
@@ -116,6 +116,13 @@ function Locus({ done: { locus, subject }, plot, save, stale }: { done: Done; pl
       <div class="export-row"><button type="button" data-testid="locus-csv" onClick={() => save(`${subject.name}-locus.csv`, locusCsv(locus), 'text/csv')}>{words.locusCsv}</button></div>
     </div>
   );
+}
+
+/** Ticks at powers of ten on both sides of zero: the plot's own would be too many. */
+function bentScale({ branches }: ScenarioLocus): { bend: number; ticks: readonly number[] } {
+  const reals = branches.flatMap((branch) => branch.map(([re]) => re));
+  const bend = bendOf(reals.map(Math.abs));
+  return { bend, ticks: logarithmicScale(Math.min(...reals), Math.max(bend, ...reals), bend).ticks };
 }
 
 /** A slider along the locus: what the pointer does in the plot, for keys and fingers. */
@@ -146,7 +153,7 @@ function Critical({ locus: { critical }, show }: { locus: ScenarioLocus; show(va
           {critical.map(({ value, eigenvalues, unstableBelow, unstableAbove }) => (
             <tr key={value}>
               <th scope="row" class="number">{show(Math.abs(value) < 1e-6 ? 0 : value)}</th>
-              <td>{eigenvalues.map((e) => (e[1] === 0 ? words.divergence : words.oscillation(formatFixed(e[1] / (2 * Math.PI), 3)))).join(', ')}</td>
+              <td>{eigenvalues.map((e) => (e[1] === 0 ? words.divergence : words.oscillation(formatShort(e[1] / (2 * Math.PI), 3)))).join(', ')}</td>
               <td class="number">{unstableBelow} → {unstableAbove}</td>
               <td>{unstableAbove === 0 ? words.stableAbove : unstableBelow === 0 ? words.stableBelow : signed(unstableAbove - unstableBelow)}</td>
             </tr>

@@ -17,7 +17,7 @@ export function OrdersSection({ analysis: { orders, eigenvalues, point } }: { an
   return (
     <Section title={words.orders} open>
       <div class="table-scroll">
-        <table data-testid="orders">
+        <table class="orders" data-testid="orders">
           <thead><tr>{words.orderColumns.map((column) => <th key={column} scope="col">{column}</th>)}</tr></thead>
           <tbody>
             <tr><th scope="row">{words.orderNames.a}</th><td class="number">{rate(growth)}</td><td class="number">–</td></tr>

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Complex } from '../../core/control/spectrum.ts';
 import { formatShort } from '../format.ts';
 import { text } from '../text.ts';
-import { extent, linearScale, logarithmicScale, smallest } from './planeScale.ts';
+import { bendOf, extent, linearScale, logarithmicScale } from './planeScale.ts';
 
 const MARGIN = { left: 52, right: 12, top: 12, bottom: 34 };
 const LEAST_GAP = { x: 44, y: 20 };
@@ -61,7 +61,7 @@ function scales(eigenvalues: readonly Complex[], logarithmic: boolean) {
   const [left, right] = extent(re);
   const top = extent([...im, 0.2 * Math.max(...re.map(Math.abs), 0)])[1];
   if (!logarithmic) return { real: linearScale(left, right), imaginary: linearScale(-top, top) };
-  const small = smallest([...re, ...im].map(Math.abs));
+  const small = bendOf([...re, ...im].map(Math.abs));
   return { real: logarithmicScale(2 * left, Math.max(2 * right, small), small), imaginary: logarithmicScale(-2 * top, 2 * top, small) };
 }
 

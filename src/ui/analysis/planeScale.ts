@@ -9,6 +9,9 @@ export interface PlaneScale {
 /** Eigenvalues that lie further apart than this are seen better on logarithmic scales. */
 const WIDE = 60;
 
+/** Of a logarithmic scale, at most. */
+const DECADES = 3;
+
 /** Whether some sizes are so small beside the largest that a linear plane shows them as one point. */
 export function isWide(sizes: readonly number[]): boolean {
   const some = sizes.filter((x) => x > 0);
@@ -32,10 +35,12 @@ export function logarithmicScale(low: number, high: number, small: number): Plan
   return { place: (x) => (value(x) - from) / (to - from), ticks };
 }
 
-/** The power of ten at or below the smallest of some sizes, for a logarithmic scale. */
-export function smallest(sizes: readonly number[]): number {
+/** Where a logarithmic scale becomes linear: a power of ten, at the smallest size but not much below the largest. */
+export function bendOf(sizes: readonly number[]): number {
   const some = sizes.filter((x) => x > 0);
-  return some.length > 0 ? 10 ** Math.floor(Math.log10(Math.min(...some)) + 1e-9) : 1;
+  if (some.length === 0) return 1;
+  const decade = (x: number): number => Math.floor(Math.log10(x) + 1e-9);
+  return 10 ** Math.max(decade(Math.min(...some)), decade(Math.max(...some)) - DECADES);
 }
 
 /** Ends of an axis that hold all values and zero, with a little air. */

@@ -75,6 +75,30 @@ test('Q on roll and steer: heading and Y are left alone, named', () => {
   expect(unreachable.map((m) => m.moves[0]).sort()).toEqual(['X', 'X_dot', 'alpha', 'alpha_dot']);
 });
 
+describe('weights that see little', () => {
+  test('a weight on X alone, which no input reaches: unstable modes are mirrored, the rest stays', () => {
+    const { placed, unseen, openLoop } = designOf(board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 }, Q: { X: 1 } }));
+    const mirrored = nonZero(openLoop).map(([re, im]): Complex => [-Math.abs(re), im]);
+    expect(placed).toHaveLength(8);
+    expect(spectralDistance(placed, mirrored)).toBeLessThan(1e-9);
+    expect(unseen).toHaveLength(2);
+  });
+
+  test('undamped oscillations that the weights do not see are left alone, by name', () => {
+    const design = designOf(board({ inputs: ['tau_fp'], Q: { alpha: 1 } }));
+    expect(design.placed).toHaveLength(4);
+    expect(design.unseen.map((m) => m.eigenvalue[0])).toEqual([0, 0, 0, 0]);
+    expect(design.unseen.map((m) => m.moves[0])).toEqual(['theta_fc', 'theta_bc', 'theta_bc', 'theta_fc']);
+    expect(spectralDistance(design.unseen.map((m) => m.eigenvalue), spectrumOf(closedLoopMatrix(design)))).toBeLessThan(1e-9);
+  });
+
+  test('an input that does nothing under the constraints reaches nothing', () => {
+    const { byInput, gain } = designOf(board({ inputs: ['tau_fc', 'tau_bc', 'f_Z', 'f_psi'] }));
+    expect(byInput.map((i) => i.dimension)).toEqual([8, 8, 0, 0]);
+    expect(Matrix.rowVector(gain.getRow(2)).norm()).toBeLessThan(1e-9);
+  });
+});
+
 describe('recovery by steering alone', () => {
   const lean = { X_dot: 1, alpha_fp: '10 deg', alpha_bp: '10 deg' };
   const upright = (run: FinishedRun) => {
@@ -124,6 +148,17 @@ describe('recovery by steering alone', () => {
       states.forEach((name, i) => (u -= gain.get(k, i) * (run.columns.get(name)![r]! - (i < 10 ? q[i]! + v[i]! * t : v[i - 10]!))));
       expect(run.columns.get('tau_fc')![r]!).toBeCloseTo(u, 10);
     }
+  });
+
+  test.each([
+    [0.15, 'end'],
+    [0.6, 'touchdown'],
+  ])('pushed by two Gaussians of %f N·m on both plates: %s', (size, reason) => {
+    const push = `${size}*exp(-10*(t-2)^2) - ${size}*exp(-10*(t-6)^2)`;
+    const scenario = board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } }, { initial: { X_dot: 1 }, duration: 12 });
+    const run = runOf({ ...scenario, inputs: { tau_fp: push, tau_bp: push }, method: { rtol: 1e-6 } });
+    expect(run.end.reason).toBe(reason);
+    if (reason === 'end') expect(upright(run)).toBeLessThan(0.01);
   });
 
   test('an implicit method with exact Jacobians gives the same run', () => {

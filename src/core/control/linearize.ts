@@ -5,7 +5,8 @@ import { besides, columnSpace, ControlError, fromRowMajor, maxDifference, solveL
 import type { SteadyMotion } from './steadyMotion.ts';
 
 /**
- * `x' = A x + B u` for deviations x = (coordinates, velocities) from a steady motion, with exact derivatives.
+ * `x' = A x + B u` for deviations x = (coordinates, velocities) from a steady motion, with exact derivatives. Of a system
+ * of first order x is the coordinates alone, and A is n x n.
  *
  * Symbols: n coordinates, m constraint rows, M mass matrix, K = d(M a - h)/dq - d(Omega^T lambda0)/dq and
  * D = d(M a - h)/dv at a = 0, C = d(Omega v0)/dq, G the rows of Omega that are gradients of heights, T an orthonormal
@@ -26,6 +27,8 @@ export interface Linearization {
   /** N^T A N and N^T B: all there is to the motion. */
   readonly tangentA: Matrix;
   readonly tangentB: Matrix;
+  /** What each input would do to the bodies without constraints, |M^-1 b|: beside it rounding in B is nothing. */
+  readonly inputSizes: readonly number[];
 }
 
 /** Derivatives at the steady motion; rows of held coordinates are cleared. */
@@ -42,6 +45,7 @@ interface Pieces {
 
 /** Order (a): the multipliers are eliminated, then the accelerations are differentiated. */
 export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const { dynamics: d, q, v } = motion;
   const n = d.n;
   const jacobian = new AccelerationJacobian(d);
@@ -54,20 +58,32 @@ export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): L
     d.solveSaddle(a, new Float64Array(d.m));
     for (let i = 0; i < n; i++) B.set(n + i, k, a[i]!);
   }
-  const { Omega, C } = piecesAt(motion, inputs);
-  return restricted(motion, inputs, fromRowMajor(data, 2 * n, 2 * n), B, tangentBasis(motion, Omega, C));
+  const pieces = piecesAt(motion, inputs);
+  return restricted(motion, inputs, fromRowMajor(data, 2 * n, 2 * n), B, pieces);
 }
 
 /** Order (b): the equations with multipliers are differentiated, the force's d(Omega^T lambda0)/dq kept, then eliminated. */
 export function linearizeWithMultipliers(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
   return eliminated(motion, inputs, { ...p, stiffness: Matrix.sub(p.stiffness, p.forceQ) });
 }
 
 /** Order (c), Yang's commutation: Omega is frozen at its value, so neither the force's derivative nor C is there. */
 export function linearizeFrozen(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
   return eliminated(motion, inputs, { ...p, C: Matrix.zeros(p.C.rows, p.C.columns) });
+}
+
+/** `q' = f(q)`: no constraints, no inputs, one order. */
+function ofFirstOrder(motion: SteadyMotion): Linearization {
+  const { dynamics: { system, parameters, n }, q } = motion;
+  const data = new Float64Array(n * n);
+  system.firstOrder!.jacobian(q, parameters, data);
+  const [A, B] = [fromRowMajor(data, n, n), new Matrix(n, 0)];
+  const states = system.meta.coordinates.map((c) => c.name);
+  return { motion, states, inputs: [], A, B, basis: Matrix.eye(n), tangentA: A, tangentB: B, inputSizes: [] };
 }
 
 /** All three orders at one motion. */
@@ -147,7 +163,7 @@ function eliminated(motion: SteadyMotion, inputs: readonly InputMeta[], p: Piece
   A.setSubMatrix(Matrix.sub(a.subMatrix(0, n - 1, n, 2 * n - 1), drift), n, n);
   const B = Matrix.zeros(2 * n, inputs.length);
   if (inputs.length > 0) B.setSubMatrix(a.subMatrix(0, n - 1, 2 * n, 2 * n + inputs.length - 1), n, 0);
-  return restricted(motion, inputs, A, B, tangentBasis(motion, p.Omega, p.C));
+  return restricted(motion, inputs, A, B, p);
 }
 
 /** Rows that are shorter than this share of the longest beside the others are dependent on them. */
@@ -174,7 +190,9 @@ function unitRow(length: number, i: number): Matrix {
   return row;
 }
 
-function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matrix, B: Matrix, N: Matrix): Linearization {
+function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matrix, B: Matrix, p: Pieces): Linearization {
+  const N = tangentBasis(motion, p.Omega, p.C);
+  const free = solveLinear(p.M, p.inputs);
   const names = motion.dynamics.system.meta.coordinates.map((c) => c.name);
   const Nt = N.transpose();
   return {
@@ -186,5 +204,6 @@ function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matri
     basis: N,
     tangentA: Nt.mmul(A).mmul(N),
     tangentB: inputs.length > 0 ? Nt.mmul(B) : new Matrix(N.columns, 0),
+    inputSizes: inputs.map((_, k) => free?.getColumnVector(k).norm() ?? 0),
   };
 }

@@ -1,5 +1,7 @@
+import { loadSystem, systemIds } from './loaders.ts';
 import type { System } from './types.ts';
-import { ripstik } from './ripstik/system.ts';
 
-/** Every system with its dynamics: for the worker, the command line and tests, not for the page. */
-export const systems: Readonly<Record<string, System>> = { ripstik };
+/** Every system with its dynamics at once: for the command line and tests. The page's workers load what they need. */
+export const systems: Readonly<Record<string, System>> = Object.fromEntries(
+  await Promise.all(systemIds.map(async (id): Promise<[string, System]> => [id, await loadSystem(id)!])),
+);

@@ -1,8 +1,7 @@
 import { analyse } from '../core/control/analysis.ts';
 import { scenarioLocus } from '../core/control/scenarioLocus.ts';
-import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
-import { systems } from '../core/systems/registry.ts';
-import type { System } from '../core/systems/types.ts';
+import { ScenarioError } from '../core/scenario/types.ts';
+import { loadSystem } from '../core/systems/loaders.ts';
 import type { ControlReply, ControlRequest } from './controlProtocol.ts';
 
 /** Progress is told about as often as a screen is drawn. */
@@ -10,11 +9,14 @@ const TELL_MS = 30;
 
 const post = (message: ControlReply): void => self.postMessage(message);
 
-self.addEventListener('message', ({ data }: MessageEvent<ControlRequest>) => {
-  const from = performance.now();
-  const seconds = (): number => (performance.now() - from) / 1000;
+self.addEventListener('message', ({ data }: MessageEvent<ControlRequest>) => void answer(data));
+
+async function answer(data: ControlRequest): Promise<void> {
   try {
-    const system = systemOf(data.scenario);
+    const system = await loadSystem(data.scenario.system);
+    if (!system) throw new ScenarioError('system', `unknown system "${data.scenario.system}"`);
+    const from = performance.now();
+    const seconds = (): number => (performance.now() - from) / 1000;
     switch (data.type) {
       case 'analyse':
         return post({ type: 'analysed', id: data.id, analysis: analyse(data.scenario, system), seconds: seconds() });
@@ -25,7 +27,7 @@ self.addEventListener('message', ({ data }: MessageEvent<ControlRequest>) => {
     const path = error instanceof ScenarioError ? error.path : '';
     post({ type: 'refused', id: data.id, path, message: error instanceof Error ? error.message : String(error) });
   }
-});
+}
 
 function teller(id: number): (share: number) => void {
   let told = performance.now();
@@ -34,10 +36,4 @@ function teller(id: number): (share: number) => void {
     told = performance.now();
     post({ type: 'progress', id, share });
   };
-}
-
-function systemOf(scenario: Scenario): System {
-  const system = systems[scenario.system];
-  if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
-  return system;
 }

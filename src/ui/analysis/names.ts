@@ -14,12 +14,13 @@ export interface StateName {
   part: 'board' | 'front' | 'back';
 }
 
-export function stateNames({ coordinates }: Pick<SystemMeta, 'coordinates'>, rateWord: string): Map<string, StateName> {
+/** Coordinates, then (unless the equations are of first order) their rates. */
+export function stateNames({ coordinates, order }: Pick<SystemMeta, 'coordinates' | 'order'>, rateWord: string): Map<string, StateName> {
   const names = new Map<string, StateName>();
   for (const { name, symbol, label, kind, part } of coordinates) {
     const [angle, unit] = [kind === 'angle', kind === 'angle' ? 'rad' : 'm'];
     names.set(name, { name, symbol, label, unit, angle, rate: false, part });
-    names.set(`${name}_dot`, { name: `${name}_dot`, symbol, label: `${label}, ${rateWord}`, unit: `${unit}/s`, angle, rate: true, part });
+    if (order !== 1) names.set(`${name}_dot`, { name: `${name}_dot`, symbol, label: `${label}, ${rateWord}`, unit: `${unit}/s`, angle, rate: true, part });
   }
   return names;
 }

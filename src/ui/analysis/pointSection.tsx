@@ -48,9 +48,10 @@ function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): 
   if (ui.app.state.draft.peek().control?.type === 'lqr') ui.app.actions.retune();
 }
 
-/** How fast it goes: a word of the system's own, or the rate of its first coordinate. */
+/** How fast it goes: a word of the system's own, or the rate of its first coordinate (itself, in first order). */
 export function speedName(system: SystemView): string {
-  return STATE_ALIASES.get(system.meta.id)?.[0] ?? `${system.meta.coordinates[0]!.name}_dot`;
+  const { id, coordinates, order } = system.meta;
+  return STATE_ALIASES.get(id)?.[0] ?? (order === 1 ? coordinates[0]!.name : `${coordinates[0]!.name}_dot`);
 }
 
 function PointField({ name, names }: { name: string; names: ReadonlyMap<string, StateName> }) {
@@ -68,7 +69,7 @@ function PointField({ name, names }: { name: string; names: ReadonlyMap<string, 
 
 function Motion({ analysis: { point }, names, system }: { analysis: ControlAnalysis; names: ReadonlyMap<string, StateName>; system: SystemView }) {
   const { coordinates } = system.meta;
-  const rates = coordinates.flatMap((c, i) => (point.v[i] !== 0 ? [{ name: c.name, state: names.get(`${c.name}_dot`)!, value: point.v[i]! }] : []));
+  const rates = coordinates.flatMap((c, i) => (point.v[i] && names.has(`${c.name}_dot`) ? [{ name: c.name, state: names.get(`${c.name}_dot`)!, value: point.v[i]! }] : []));
   const values = coordinates.flatMap((c, i) => (point.q[i] !== 0 ? [{ state: names.get(c.name)!, value: point.q[i]! }] : []));
   return (
     <dl class="point-facts" data-testid="operating-point">

@@ -23,7 +23,7 @@ const DEGREES = 180 / Math.PI;
 /** The speed first, then the other rates, then every parameter. */
 export function subjectsOf({ meta }: Pick<SystemView, 'meta'>, names: ReadonlyMap<string, StateName>, speedWord: string): LocusSubject[] {
   const aliases = (STATE_ALIASES.get(meta.id) ?? []).map((name) => point(name, speedWord, 'v', 'm/s', false));
-  const rates = [...names.values()].filter((s) => s.rate).map((s) => point(s.name, s.label, s.symbol, s.angle ? '°/s' : s.unit, s.angle));
+  const rates = [...names.values()].filter((s) => s.rate || meta.order === 1).map((s) => point(s.name, s.label, s.symbol, s.angle ? '°/s' : s.unit, s.angle));
   const parameters = meta.parameters.map((p): LocusSubject => ({
     id: `parameter.${p.name}`, vary: 'parameter', name: p.name, label: p.label, symbol: p.symbol, ...shown(p.unit, p.kind === 'angle'),
     least: p.min ?? (p.positive ? Number.MIN_VALUE : -Infinity), most: p.max ?? Infinity,

@@ -1,3 +1,4 @@
+import { bicycleCases } from './bicycle.ts';
 import type { Case } from './case.ts';
 import { cartPendulumCases } from './cartPendulum.ts';
 import { casterRotationCases } from './casterRotation.ts';
@@ -20,4 +21,5 @@ export const cases: readonly Case[] = [
   ...wheelPendulumCases,
   ...casterboardRobotCases,
   ...chaplyginSleighCases,
+  ...bicycleCases,
 ];

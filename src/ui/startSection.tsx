@@ -24,14 +24,15 @@ export function StartSection() {
     <Section title={text.panel.start} open>
       <div class="start-head" aria-hidden="true"><span>{text.panel.value}</span><span>{text.panel.rate}</span></div>
       {system.meta.coordinates.map((c) => (
-        <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} />
+        <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} rated={system.meta.order !== 1} />
       ))}
       <p class="hint">{text.panel.startHint}</p>
     </Section>
   );
 }
 
-function StartRow({ coordinate, value, rate }: { coordinate: CoordinateMeta; value: Adjustment | undefined; rate: Adjustment | undefined }) {
+/** @param rated whether the rate can be chosen: of first order it follows from the value */
+function StartRow({ coordinate, value, rate, rated }: { coordinate: CoordinateMeta; value: Adjustment | undefined; rate: Adjustment | undefined; rated: boolean }) {
   const [valueId, rateId] = [useId(), useId()];
   const valueSpec = useStartSpec(coordinate, 0);
   const rateSpec = useStartSpec(coordinate, 1);
@@ -44,7 +45,7 @@ function StartRow({ coordinate, value, rate }: { coordinate: CoordinateMeta; val
         <span class="name"><MathSymbol of={coordinate.symbol} /> {coordinate.label}</span>
       </span>
       <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
-      <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />
+      {rated && <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />}
       <FieldError id={valueId} error={valueField.error} />
       <FieldError id={rateId} error={rateField.error} />
       <Solved adjustment={value} unit={valueSpec.unit!} />

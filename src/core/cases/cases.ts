@@ -1,5 +1,5 @@
-import { bicycleCases } from './bicycle.ts';
 import type { Case } from './case.ts';
+import { bicycleCases } from './bicycle.ts';
 import { cartPendulumCases } from './cartPendulum.ts';
 import { casterRotationCases } from './casterRotation.ts';
 import { casterboardRobotCases } from './casterboardRobot.ts';
@@ -20,6 +20,6 @@ export const cases: readonly Case[] = [
   ...stiffDecayCases,
   ...wheelPendulumCases,
   ...casterboardRobotCases,
-  ...chaplyginSleighCases,
   ...bicycleCases,
+  ...chaplyginSleighCases,
 ];

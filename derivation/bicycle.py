@@ -81,48 +81,63 @@ class Bicycle:
         return tuple(Body(b.name, frame, point, b.mass, b.inertia) for b, (frame, point) in zip(self.bodies, places))
 
 
-def contact_of(hub: Point, axes: Frame, spin_rate_column: sp.Matrix, radius, heading: Frame):
-    """(J, heading of the wheel, height) of the material point at a wheel's lowest point, in heading axes.
+class Contact:
+    """The lowest material point of a wheel, in heading axes; rates are those of the world.
 
-    J (3 x n): its velocity relative to the base. `axes` carry the wheel without its spin, axle along y.
+    `axes` carry the wheel without its spin, axle along y. With e the axle, s = sqrt(1 - e_z^2), u = (z - e_z e) / s points
+    from the contact to the hub, f = e x z / s along the wheel's heading.
     """
-    to_heading = axes.relative_to(heading)
-    axle = to_heading * EY
-    level = sp.sqrt(1 - axle[2] ** 2)
-    down = -(EZ - axle[2] * axle) / level * radius
-    W = to_heading * axes.W + axle * spin_rate_column
-    J = hub.relative_jacobian(q)
-    for k in range(len(q)):
-        J[:, k] += W[:, k].cross(down)
-    forward = sp.Matrix([axle[1], -axle[0], 0]) / level
-    return J, forward, hub.position()[2] - radius * level
+
+    def __init__(self, tree: Tree, hub: Point, axes: Frame, spin, radius):
+        let = tree.names.let
+        heading, spin_row = hub.carrier, sp.Matrix([spin]).jacobian(q)
+        spin_rate = (spin_row * v)[0]
+        own, moving = tree.rotating(axes), tree.moving(hub)
+        up = let("A", axes.relative_to(heading))
+        e = up * EY
+        level = let("s", sp.sqrt(1 - e[2] ** 2))
+        u, self.forward = let("u", (EZ - e[2] * e) / level), let("f", e.cross(EZ) / level)
+        e_rate = let("e", (up * own.omega).cross(e))
+        level_rate = let("s", -e[2] * e_rate[2] / level)
+        u_rate = let("u", (-e_rate[2] * e - e[2] * e_rate - level_rate * u) / level)
+        self.forward_rate = let("f", (e_rate.cross(EZ) - level_rate * self.forward) / level)
+
+        turning = let("w", up * own.W + e * spin_row)
+        omega, beta = let("w", up * own.omega + spin_rate * e), let("b", up * own.beta + spin_rate * e_rate)
+        down = -radius * u
+        W = moving.W.copy()
+        for k in range(len(q)):
+            W[:, k] += turning[:, k].cross(down)
+        base = tree.carrier(heading).T * hub.base.jacobian(q)
+        self.W = let("V", base + W)
+        self.velocity = let("u", base * v + moving.velocity + omega.cross(down))
+        self.bias = let("c", moving.bias + beta.cross(down) + omega.cross(-radius * u_rate))
+        self.height = hub.position()[2] - radius * sp.sqrt(1 - (axes.relative_to(heading) * EY)[2] ** 2)
+
+    def row(self, direction, rate):
+        """(row, gamma) of `direction . velocity = 0` for a direction that turns at `rate`."""
+        return direction.T * self.W, direction.dot(self.bias) + rate.dot(self.velocity)
+
+    def rows(self):
+        """No slip along the wheel's heading, none across it."""
+        return [self.row(self.forward, self.forward_rate), self.row(EZ.cross(self.forward), EZ.cross(self.forward_rate))]
 
 
-def rows_of(J, base, forward):
-    """Rows: no slip along the wheel's heading, none across it. Directions in heading axes."""
-    across = EZ.cross(forward)
-    return [direction.T * (base + J) for direction in (forward, across)]
-
-
-def unit_row(symbol) -> sp.Matrix:
-    return sp.Matrix([symbol]).jacobian(q)
-
-
-def rolling(b: Bicycle) -> Constraints:
+def rolling(b: Bicycle, tree: Tree) -> Constraints:
     """Four nonholonomic rows, rear then front, along and across; then the height of the front contact."""
-    base = b.heading.R.T * b.rear_hub.base.jacobian(q)
-    rear, _, _ = contact_of(b.rear_hub, b.frame, unit_row(rear_spin), p["rearRadius"], b.heading)
-    front, front_forward, height = contact_of(b.front_hub, b.fork, unit_row(front_spin), p["frontRadius"], b.heading)
-    rows = [*rows_of(rear, base, EX), *rows_of(front, base, front_forward), sp.Matrix([height]).jacobian(q)]
-    return Constraints("rolling", sp.Matrix.vstack(*rows), sp.Matrix([height]), (4,))
+    rear = Contact(tree, b.rear_hub, b.frame, rear_spin, p["rearRadius"])
+    front = Contact(tree, b.front_hub, b.fork, front_spin, p["frontRadius"])
+    rows = [*rear.rows(), *front.rows(), front.row(EZ, sp.zeros(3, 1))]
+    return Constraints("rolling", sp.Matrix.vstack(*[r for r, _ in rows]), sp.Matrix([front.height]), (4,), sp.Matrix([g for _, g in rows]))
 
 
 def model() -> Model:
     b = Bicycle()
     names = Names()
-    free = recursion.equations(Tree(q, v, names), b.bodies, p["gravity"])
+    tree = Tree(q, v, names)
+    free = recursion.equations(tree, b.bodies, p["gravity"])
     return Model(
         id="bicycle", title="the Whipple bicycle", q=q, v=v, parameters=tuple(p.values()),
         equations=Equations(free.M, free.h), kinetic=kinetic(b.bodies, q, v), potential=potential(b.bodies, p["gravity"]),
-        bodies=b.shown(), constraints=(rolling(b),), definitions=tuple(names.definitions),
+        bodies=b.shown(), constraints=(rolling(b, tree),), definitions=tuple(names.definitions),
     )

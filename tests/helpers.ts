@@ -1,3 +1,4 @@
+import { feedbackOf } from '../src/core/control/feedback.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { Scenario } from '../src/core/scenario/types.ts';
 import { Simulation, type RunCounts, type RunEnd } from '../src/core/simulation/simulation.ts';
@@ -20,7 +21,7 @@ export interface FinishedRun {
 /** Runs a scenario file to its end, with all extra columns. */
 export function runOf(raw: unknown): FinishedRun {
   const scenario = scenarioOf(raw);
-  const simulation = new Simulation(scenario, systems[scenario.system]!, ['lambda', 'energy', 'residual', 'inputs']);
+  const simulation = new Simulation(scenario, systems[scenario.system]!, ['lambda', 'energy', 'residual', 'inputs'], undefined, feedbackOf);
   simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();
   return {

@@ -1,3 +1,4 @@
+import { feedbackOf } from '../core/control/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/systems/types.ts';
@@ -16,7 +17,7 @@ export interface PointReport {
 
 /** State after the consistent start, with accelerations, multipliers, the free system's mass matrix, energies, body positions. */
 export function point(scenario: Scenario, system: System): PointReport {
-  const { q, v, dynamics } = new Simulation(scenario, system);
+  const { q, v, dynamics } = new Simulation(scenario, system, scenario.columns, undefined, feedbackOf);
   const n = q.length;
   const acceleration = new Float64Array(n);
   const multipliers = new Float64Array(dynamics.m);

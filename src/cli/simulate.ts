@@ -1,4 +1,5 @@
 import { closeSync, openSync, writeSync } from 'node:fs';
+import { feedbackOf } from '../core/control/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/systems/types.ts';
@@ -13,7 +14,7 @@ const ROWS_PER_WRITE = 4096;
  * @returns 0, or 3 when the run stopped before its duration (the reason goes to standard error)
  */
 export function simulate(scenario: Scenario, system: System, out: string | undefined): number {
-  const simulation = new Simulation(scenario, system);
+  const simulation = new Simulation(scenario, system, scenario.columns, undefined, feedbackOf);
   for (const { name, from, to } of simulation.adjustments) process.stderr.write(`start: ${name} ${from} -> ${to}\n`);
   for (const note of simulation.notes) process.stderr.write(`start: ${note}\n`);
   const file = open(out);

@@ -1,4 +1,3 @@
-import { feedbackOf } from '../control/feedback.ts';
 import { compileExpression } from '../scenario/expressions.ts';
 import type { Scenario, TrackControl } from '../scenario/types.ts';
 import type { InputMeta, System, SystemMeta } from '../systems/types.ts';
@@ -18,20 +17,24 @@ export interface Actuation {
 }
 
 /** One input as it goes: open loop, closed loop or both. */
-interface Signal {
+export interface Signal {
   value(t: number, q: Float64Array, v: Float64Array): number;
   /** Adds its derivatives by q and by v, times `weight`, onto a row (n entries from `row` on) of each; absent where it does not react. */
   addSlopes?(t: number, q: Float64Array, v: Float64Array, weight: number, row: number, forceQ: Float64Array, forceV: Float64Array): void;
 }
 
+/** What designs a scenario's state feedback, by input: `feedbackOf` of `control`, which is large, so whoever runs a scenario brings it. */
+export type FeedbackDesign = (scenario: Scenario, system: System) => ReadonlyMap<string, Signal>;
+
 /**
  * Binds a scenario's open-loop inputs and controller.
  * @throws ScenarioError for a controller that can't be had
  */
-export function actuationOf(scenario: Scenario, system: System): Actuation {
+export function actuationOf(scenario: Scenario, system: System, design?: FeedbackDesign): Actuation {
   const { meta } = system;
   const { control } = scenario;
-  const feedback = control?.type === 'lqr' ? feedbackOf(scenario, system) : null;
+  if (control?.type === 'lqr' && !design) throw new Error('a scenario with an LQR needs a design of its feedback');
+  const feedback = control?.type === 'lqr' ? design!(scenario, system) : null;
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
     const closed: Signal | null = control?.type === 'track' ? tracking(control, input, meta) : (feedback?.get(input.name) ?? null);

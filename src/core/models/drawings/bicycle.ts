@@ -91,7 +91,7 @@ function riderParts(l: Layout): Part[] {
   };
   return [
     { group: 'rider', material: 'cloth', triangles: [
-      ...tube(add(hip, [0, 0, -0.03 * w]), add(neck, [-0.02 * w, 0, -0.04 * w]), 0.125 * w, 22, 0.15 * w), ...ball(hip, 0.13 * w, 24), ...ball(add(neck, [-0.03 * w, 0, -0.08 * w]), 0.148 * w, 24), ...both(leg), ...both(arm),
+      ...tube(add(hip, [0, 0, -0.03 * w]), add(neck, [-0.02 * w, 0, -0.04 * w]), 0.12 * w, 22, 0.135 * w), ...ball(hip, 0.125 * w, 24), ...ball(add(neck, [-0.035 * w, 0, -0.06 * w]), 0.132 * w, 24), ...both(leg), ...both(arm),
     ] },
     { group: 'rider', material: 'paint', triangles: [...tube(add(neck, [-0.01 * w, 0, 0]), add(neck, [0.03 * w, 0, 0.12 * w]), 0.05 * w), ...ball(add(neck, [0.05 * w, 0, 0.2 * w]), 0.105 * w, 28)] },
   ];

@@ -4,6 +4,7 @@ import { edit, useUi } from './context.ts';
 import { Choice, Section } from './controls.tsx';
 import { withEntry, withKey } from './draft.ts';
 import { ExpressionField } from './expressionField.tsx';
+import { firstLqr, LqrPanel } from './lqrPanel.tsx';
 import { NumberField } from './numberField.tsx';
 import { MathSymbol } from './symbol.tsx';
 import { text } from './text.ts';
@@ -35,22 +36,25 @@ export function ControlSection() {
   const ui = useUi();
   const draft = ui.app.state.draft.value;
   const control = draft.control;
-  const tracking = ui.system.value?.meta.inputs.filter((input) => input.tracks) ?? [];
-  if (tracking.length === 0 && !control) return null;
+  const meta = ui.system.value?.meta;
+  const tracking = meta?.inputs.filter((input) => input.tracks) ?? [];
+  if (!meta || (meta.inputs.length === 0 && !control)) return null;
   const kinds = [
     { id: 'none', label: text.panel.controlNone },
     ...(tracking.length > 0 ? [{ id: 'track', label: text.panel.controlTrack }] : []),
-    ...(control?.type === 'lqr' ? [{ id: 'lqr', label: text.panel.controlLqr }] : []),
+    { id: 'lqr', label: text.panel.controlLqr },
   ];
   const choose = (id: string) => {
     const saved = ui.origin.value?.scenario.control;
     const track: TrackControl = saved?.type === 'track' ? saved : { type: 'track', reference: {}, kp: 60, kd: 3 };
-    if (id !== 'lqr') edit(ui, (now) => withKey(now, 'control', id === 'track' ? track : undefined));
+    const chosen = { none: undefined, track, lqr: firstLqr(meta, draft.initial, saved?.type === 'lqr' ? saved : undefined) }[id];
+    edit(ui, (now) => withKey(now, 'control', chosen));
+    ui.app.actions.retune();
   };
   return (
     <Section title={text.panel.control}>
       <Choice label={text.panel.controlKind} value={control?.type ?? 'none'} options={kinds} error={ui.app.state.draftErrors.value.get('control')} testId="control" onChange={choose} />
-      {control?.type === 'lqr' && <p class="hint">{text.panel.lqrNote(control.inputs.join(', '))}</p>}
+      {control?.type === 'lqr' && <LqrPanel key={meta.id} control={control} />}
       {control?.type === 'track' && <Track control={control} />}
     </Section>
   );

@@ -33,6 +33,19 @@ export const cases: readonly Case[] = [
     },
   },
   {
+    id: 'balanced',
+    title: 'Balanced by its steering motors',
+    source: '',
+    look: 'Ten degrees of lean at 1 m/s: two small motors on the casters steer the board back under itself. Open Control and change a weight while it rides.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 1, alpha: '10 deg' },
+      control: { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } },
+      duration: 10,
+    },
+  },
+  {
     id: 'released',
     title: 'Released at 1 m/s',
     source: '',

@@ -94,6 +94,8 @@ export interface SystemMeta {
   /** First one is the default. */
   constraintSets: readonly { id: string; label: string }[];
   inputs: readonly InputMeta[];
+  /** Inputs that a regulator is first offered with; all of them where this is left out. */
+  regulators?: readonly string[];
   bodies: readonly BodyMeta[];
 }
 

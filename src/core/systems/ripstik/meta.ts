@@ -53,6 +53,7 @@ export const ripstikMeta = {
     { name: 'tau_fc', symbol: 'τ_fc', label: 'front steering motor', unit: 'N·m', column: { theta_fc: 1 }, tracks: ['theta_fc'] },
     { name: 'tau_bc', symbol: 'τ_bc', label: 'back steering motor', unit: 'N·m', column: { theta_bc: 1 }, tracks: ['theta_bc'] },
   ],
+  regulators: ['tau_fc', 'tau_bc'],
   bodies: [
     { id: 'rod', label: 'rod', part: 'board' },
     { id: 'front-plate', label: 'front plate', part: 'front' },

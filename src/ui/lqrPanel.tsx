@@ -1,0 +1,193 @@
+/** LQR in the panel: inputs, operating point, a weight for every state and input; the running motion goes on with each change. */
+import { useSignal } from '@preact/signals';
+import type { LqrControl, NumberOrExpression } from '../core/scenario/types.ts';
+import type { CoordinateMeta, InputMeta, SystemMeta } from '../core/systems/types.ts';
+import { edit, useUi } from './context.ts';
+import { Check } from './controls.tsx';
+import { withKey } from './draft.ts';
+import { formatShort } from './format.ts';
+import { LqrReadout } from './lqrReadout.tsx';
+import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
+import { NumberField } from './numberField.tsx';
+import { MathSymbol } from './symbol.tsx';
+import { text } from './text.ts';
+import { numberOf } from './useNumberField.ts';
+
+/** Sliders run over powers of ten; the leftmost place of a state's weight is no weight at all. */
+const LEAST = -3;
+const MOST = 4;
+const STEP = 0.05;
+/** Changes closer together than this (ms) are one step of undo. */
+const GESTURE_MS = 600;
+
+export function LqrPanel({ control }: { control: LqrControl }) {
+  const ui = useUi();
+  const meta = ui.system.value!.meta;
+  const history = useSignal<readonly LqrControl[]>([]);
+  const lastChange = useSignal(0);
+  const set = (next: LqrControl) => {
+    edit(ui, (now) => withKey(now, 'control', next));
+    ui.app.actions.retune();
+  };
+  const change = (part: Partial<LqrControl>) => {
+    const now = performance.now();
+    if (now - lastChange.peek() > GESTURE_MS) history.value = [...history.peek(), control];
+    lastChange.value = now;
+    set({ ...control, ...part });
+  };
+  const undo = () => {
+    const back = history.peek().at(-1);
+    if (!back) return;
+    history.value = history.peek().slice(0, -1);
+    lastChange.value = 0;
+    set(back);
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key !== 'z' || !(event.ctrlKey || event.metaKey) || (event.target as HTMLElement).matches('input[type=text]')) return;
+    event.preventDefault();
+    undo();
+  };
+  return (
+    <div class="lqr" data-testid="lqr" onKeyDown={onKeyDown}>
+      <p class="hint">{text.lqr.about}</p>
+      <InputChoice control={control} meta={meta} change={change} />
+      <OperatingPoint control={control} meta={meta} change={change} />
+      <div class="lqr-sets">
+        <label>{text.lqr.sets} <select data-testid="lqr-sets" value="" onChange={(event) => {
+          const found = weightSets(meta, control.inputs).find((s) => s.id === event.currentTarget.value);
+          event.currentTarget.value = '';
+          if (found) change({ Q: found.Q, R: found.R });
+        }}>
+          <option value="" disabled>{text.lqr.choose}</option>
+          {weightSets(meta, control.inputs).map((s) => <option key={s.id} value={s.id}>{text.lqr.setNames[s.id]}</option>)}
+        </select></label>
+        <button type="button" data-testid="lqr-undo" disabled={history.value.length === 0} onClick={undo}>{text.lqr.undo}</button>
+      </div>
+      <Weights control={control} meta={meta} change={change} />
+      <LqrReadout />
+    </div>
+  );
+}
+
+interface Part {
+  control: LqrControl;
+  meta: SystemMeta;
+  change(part: Partial<LqrControl>): void;
+}
+
+function InputChoice({ control, meta, change }: Part) {
+  const toggle = (name: string, on: boolean) => {
+    const inputs = meta.inputs.map((i) => i.name).filter((n) => (n === name ? on : control.inputs.includes(n)));
+    const keep = <T,>(record: Record<string, T> | undefined) => Object.fromEntries(Object.entries(record ?? {}).filter(([n]) => inputs.includes(n)));
+    change({ inputs, R: keep(control.R), limits: keep(control.limits) });
+  };
+  return (
+    <fieldset class="group">
+      <legend>{text.lqr.inputs}</legend>
+      {meta.inputs.map((input) => (
+        <Check key={input.name} label={input.label} testId={`lqr-input-${input.name}`} checked={control.inputs.includes(input.name)} onChange={(on) => toggle(input.name, on)} />
+      ))}
+    </fieldset>
+  );
+}
+
+function OperatingPoint({ control, meta, change }: Part) {
+  const ui = useUi();
+  const saved = ui.origin.value?.scenario.control;
+  const base = saved?.type === 'lqr' ? saved.at : undefined;
+  return (
+    <fieldset class="group">
+      <legend>{text.lqr.at}</legend>
+      {operatingKeys(meta, control.at).map((name) => {
+        const { coordinate, rate } = stateOf(meta, name);
+        const angle = coordinate?.kind === 'angle';
+        const unit = rate ? (angle ? '°/s' : 'm/s') : angle ? '°' : 'm';
+        return (
+          <NumberField key={name} symbol={coordinate ? (rate ? `${coordinate.symbol}′` : coordinate.symbol) : 'v'} testId={`lqr-at-${name}`} spec={{
+            path: `control.at.${name}`, label: coordinate ? coordinate.label : text.lqr.speed, unit, angle, optional: true, value: control.at?.[name], base: base?.[name],
+            rest: rate ? 0 : (coordinate?.rest ?? 0), step: rate && !angle ? 0.1 : 1, commit: (value) => change({ at: changed(control.at, name, value) }),
+          }} />
+        );
+      })}
+    </fieldset>
+  );
+}
+
+function Weights({ control, meta, change }: Part) {
+  const Q = writtenQ(control, meta);
+  const row = (coordinate: CoordinateMeta, rate: boolean) => {
+    const name = rate ? `${coordinate.name}_dot` : coordinate.name;
+    return (
+      <Weight key={name} kind="Q" name={name} symbol={rate ? `${coordinate.symbol}′` : coordinate.symbol} label={rate ? text.lqr.rateOf(coordinate.label) : coordinate.label}
+        value={Q[name]} zero commit={(value) => change({ Q: { ...Q, [name]: value } })} />
+    );
+  };
+  return (
+    <>
+      <details class="group-fold" open><summary>{text.lqr.positions}</summary>{meta.coordinates.map((c) => row(c, false))}</details>
+      <details class="group-fold"><summary>{text.lqr.rates}</summary>{meta.coordinates.map((c) => row(c, true))}</details>
+      <details class="group-fold" open><summary>{text.lqr.efforts}</summary>
+        {chosenInputs(control, meta).map((input) => (
+          <Weight key={input.name} kind="R" name={input.name} symbol={input.symbol} label={input.label} value={control.R?.[input.name] ?? 1}
+            commit={(value) => change({ R: { ...control.R, [input.name]: value } })} />
+        ))}
+      </details>
+      <details class="group-fold"><summary>{text.lqr.limits}</summary>
+        {chosenInputs(control, meta).map((input) => (
+          <NumberField key={input.name} symbol={input.symbol} placeholder={text.lqr.none} testId={`lqr-limit-${input.name}`} spec={{
+            path: `control.limits.${input.name}`, label: text.lqr.limitOf(input.label), unit: input.unit, angle: false, positive: true, optional: true, value: control.limits?.[input.name], base: undefined,
+            step: 0.1, commit: (value) => change({ limits: changed(control.limits, input.name, value) }),
+          }} />
+        ))}
+      </details>
+    </>
+  );
+}
+
+/** A weight: slider over powers of ten, and the number typed. */
+function Weight({ kind, name, symbol, label, value, zero = false, commit }: {
+  kind: 'Q' | 'R'; name: string; symbol: string; label: string; value: NumberOrExpression | undefined; zero?: boolean; commit(value: number): void;
+}) {
+  const number = numberOf(value, 0);
+  const place = number > 0 ? Math.min(MOST, Math.max(zero ? LEAST + STEP : LEAST, Math.log10(number))) : LEAST;
+  return (
+    <div class="weight">
+      <NumberField symbol={symbol} testId={`weight-${name}`} spec={{
+        path: `control.${kind}.${name}`, label, angle: false, numeric: true, value, base: value, rest: 0, step: number > 0 ? 10 ** Math.floor(Math.log10(number)) : 1,
+        ...(zero ? { min: 0 } : { positive: true }), commit: (typed) => commit(numberOf(typed, zero ? 0 : 1)),
+      }} />
+      <input type="range" min={LEAST} max={MOST} step={STEP} value={place} data-testid={`slider-${name}`} aria-label={text.lqr.weightOf(label)} aria-valuetext={formatShort(number, 3)}
+        onInput={(event) => {
+          const at = Number(event.currentTarget.value);
+          commit(zero && at <= LEAST ? 0 : Number((10 ** at).toPrecision(3)));
+        }} />
+    </div>
+  );
+}
+
+const chosenInputs = (control: LqrControl, meta: SystemMeta): readonly Pick<InputMeta, 'name' | 'symbol' | 'label' | 'unit'>[] =>
+  control.inputs.map((name) => meta.inputs.find((i) => i.name === name) ?? { name, symbol: name, label: text.panel.rawForce, unit: text.panel.siUnit });
+
+function stateOf(meta: SystemMeta, name: string): { coordinate: CoordinateMeta | undefined; rate: boolean } {
+  const direct = meta.coordinates.find((c) => c.name === name);
+  if (direct) return { coordinate: direct, rate: false };
+  return { coordinate: meta.coordinates.find((c) => `${c.name}_dot` === name), rate: true };
+}
+
+function changed(record: Readonly<Record<string, NumberOrExpression>> | undefined, name: string, value: NumberOrExpression | undefined): Record<string, NumberOrExpression> {
+  const { [name]: _, ...rest } = record ?? {};
+  return value === undefined ? rest : { ...rest, [name]: value };
+}
+
+/** What "LQR" begins with: the case's own controller, or the inputs that suit the system, about its start's speed. */
+export function firstLqr(meta: SystemMeta, initial: Readonly<Record<string, NumberOrExpression>> | undefined, saved: LqrControl | undefined): LqrControl {
+  if (saved) return saved;
+  const at = Object.fromEntries(operatingKeys(meta, undefined).flatMap((name) => (initial?.[name] === undefined ? [] : [[name, initial[name]]])));
+  return { type: 'lqr', inputs: [...(meta.regulators ?? meta.inputs.map((i) => i.name))], at };
+}
+
+/** The symbol of a state, for lists. */
+export function StateSymbol({ meta, name }: { meta: SystemMeta; name: string }) {
+  const { coordinate, rate } = stateOf(meta, name);
+  return <MathSymbol of={coordinate ? (rate ? `${coordinate.symbol}′` : coordinate.symbol) : name} />;
+}

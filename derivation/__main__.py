@@ -1,19 +1,33 @@
-"""`python3 -m derivation` writes the generated TypeScript; `--check` compares it byte for byte."""
+"""`python3 -m derivation` writes the generated TypeScript; `--check` compares it byte for byte.
+
+Systems named after it (`python3 -m derivation cart-pendulum`) are done alone.
+"""
 
 import sys
 import time
 from pathlib import Path
 
-from . import generate, ripstik
+from . import (cart_pendulum, caster_rotation, casterboard_robot, generate, ripstik, rolling_wheel, stiff_decay,
+               wheel_pendulum)
 
-SYSTEMS = {"ripstik": ripstik}
+SYSTEMS = {
+    "ripstik": ripstik,
+    "stiff-decay": stiff_decay,
+    "caster-rotation": caster_rotation,
+    "cart-pendulum": cart_pendulum,
+    "rolling-wheel": rolling_wheel,
+    "wheel-pendulum": wheel_pendulum,
+    "casterboard-robot": casterboard_robot,
+}
 ROOT = Path(__file__).resolve().parent.parent
 
 
 def main(arguments) -> int:
     check = "--check" in arguments
     wrong = 0
-    for name, module in SYSTEMS.items():
+    chosen = [argument for argument in arguments if not argument.startswith("--")]
+    for name in chosen or SYSTEMS:
+        module = SYSTEMS[name]
         start = time.perf_counter()
         texts = generate.modules(module.model(), name)
         seconds = time.perf_counter() - start

@@ -27,3 +27,8 @@ def velocity_row(direction: sp.Matrix, point, q: sp.Matrix) -> sp.Matrix:
     """Row of Omega for `direction . v_point = 0`, direction in the point's carrier axes."""
     base = (point.carrier.R * direction).T * point.base.jacobian(q)
     return base + direction.T * point.relative_jacobian(q)
+
+
+def rows_only(id: str, rows, v: sp.Matrix) -> Constraints:
+    """Constraints given by their velocity expressions, linear in v, without contact heights."""
+    return Constraints(id, sp.Matrix(rows).jacobian(v), sp.Matrix([]), ())

@@ -14,10 +14,13 @@ MOST_OPERATIONS = 2200
 
 def modules(model: Model, source: str) -> dict:
     """{file name: text}. Poses stand alone: the page draws with them and needs no dynamics."""
+    source = source.replace("-", "_")
     inputs = {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)}
     n = len(model.q)
     header = HEADER.format(title=model.title, source=source)
     equations = [header, *mechanics(model, inputs, n), energy(model, inputs)]
+    if model.rate is not None:
+        equations += first_order(model, inputs, n)
     for name, force in model.extra_forces:
         equations += extra_force(name, force, model, inputs, n)
     for constraints in model.constraints:
@@ -59,6 +62,15 @@ def extra_force(name, force, model, inputs, n):
                             {"f": ("", n)}, ["q", "v", "p"], inputs, n)]
 
 
+def first_order(model, inputs, n):
+    slope = model.rate.jacobian(model.q)
+    rate = function("rate", f"f ({n}) of q' = f(q).", ["q", "p", "out"], inputs, record({i: e for i, e in enumerate(model.rate)}),
+                    {i: [("out", i)] for i in range(n)}, {"out": n})
+    return [rate, function("rateJacobian", f"df/dq ({n} x {n}).", ["q", "p", "out"], inputs,
+                           record({i: e for i, e in enumerate(slope)}), {i: [("out", i)] for i in range(n * n)},
+                           {"out": n * n})]
+
+
 def energy(model, inputs):
     tape = record({"kinetic": model.kinetic, "potential": model.potential})
     return function("energy", "[kinetic, potential] in J.", ["q", "v", "p", "out"], inputs, tape,
@@ -92,16 +104,16 @@ def constraint_set(c: Constraints, model, inputs, n):
     evaluate = function(f"{name}Constraints", f"Omega ({m} x {n}) and gamma = Omega_dot v ({m}).",
                         ["q", "v", "p", "omega", "gamma"], inputs, record(outputs, model.definitions), targets,
                         {"omega": m * n, "gamma": m})
-    heights = function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p", "out"],
+    heights = [function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p", "out"],
                        inputs, record({i: h for i, h in enumerate(c.heights)}),
-                       {i: [("out", i)] for i in range(len(c.heights))}, {"out": len(c.heights)})
+                       {i: [("out", i)] for i in range(len(c.heights))}, {"out": len(c.heights)})]
 
     a, lam = sp.symbols(f"a0:{n}", real=True), sp.symbols(f"lambda0:{m}", real=True)
     force, rate, velocity = c.Omega.T * sp.Matrix(lam), c.Omega * sp.Matrix(a) + gamma, c.Omega * v
     tape = record({("force", i): force[i] for i in range(n)} | {("velocity", i): velocity[i] for i in range(m)}
                   | {("rate", i): rate[i] for i in range(m)}, model.definitions)
     kinds = {"force": ("force", n), "rate": ("rate", m), "velocity": ("velocity", m)}
-    return [evaluate, together, heights,
+    return [evaluate, together, *(heights if len(c.heights) > 0 else []),
             *jacobian(f"{name}Jacobians", "Omega^T lambda, Omega a + gamma and Omega v", tape, {"Q": q, "V": v}, kinds,
                       ["q", "v", "a", "lambda", "p"], inputs | {"a": list(a), "lambda": list(lam)}, n,
                       keep=("forceQ", "rateQ", "rateV", "velocityQ"))]
@@ -149,5 +161,6 @@ def grouped(tape: Tape, labels):
             groups.append(current)
             current = []
         current = current + [label]
-    groups.append(current)
+    if current:
+        groups.append(current)
     return [(g, tape.only([k for label in g for k in by_label[label]])) for g in groups]

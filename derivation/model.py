@@ -23,6 +23,8 @@ class Model:
     constraints: tuple = field(default_factory=tuple)
     # Forces kept out of h because they have singular points of their own: (name, n x 1).
     extra_forces: tuple = field(default_factory=tuple)
+    # f of a system of first order q' = f(q); its equations are then those of the rate, see `of_first_order`.
+    rate: sp.Matrix | None = None
     # Named intermediate results (symbol, expression), in order, that equations and constraints are written in.
     definitions: tuple = field(default_factory=tuple)
 
@@ -31,3 +33,13 @@ def coordinates(names: str):
     """Symbols q and v = q_dot for space-separated coordinate names, as column matrices."""
     split = names.split()
     return sp.Matrix(sp.symbols(split, real=True)), sp.Matrix(sp.symbols([f"{n}_dot" for n in split], real=True))
+
+
+def of_first_order(f: sp.Matrix, q: sp.Matrix, v: sp.Matrix) -> Equations:
+    """q' = f(q) differentiated once, M = 1 and h = df/dq v, so that whoever asks for an acceleration gets the right one."""
+    return Equations(sp.eye(len(q)), f.jacobian(q) * v)
+
+
+def on_level_ground(x: sp.Expr, y: sp.Expr, height: sp.Expr = sp.Integer(0)) -> sp.Matrix:
+    """A place (x, y) of the ground plane, raised by a height."""
+    return sp.Matrix([x, y, height])

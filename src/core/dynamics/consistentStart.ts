@@ -39,6 +39,7 @@ const UNREACHABLE = 1e-11;
  * all heights vanish. Velocities: those that `initial` does not name take the smallest change in the mass
  * metric, `min 1/2 dv^T M dv` subject to `Omega (v + dv) = 0` over the free entries; if no such change
  * exists, all give way: `v - M^-1 Omega^T (Omega M^-1 Omega^T)^-1 Omega v`. Held velocities are zero.
+ * In a system of first order the velocities are its rates.
  *
  * @throws StartError when the ground can't be reached or the constraints are dependent at the start
  */
@@ -52,6 +53,11 @@ export function consistentStart(
   const { coordinates } = system.meta;
   const q = Float64Array.from(coordinates, (c) => initial[c.name] ?? c.rest ?? 0);
   const v = Float64Array.from(coordinates, (c) => initial[`${c.name}_dot`] ?? 0);
+  if (system.firstOrder) {
+    system.firstOrder.rate(q, parameters, v);
+    for (const i of hold) v[i] = 0;
+    return { q, v, adjustments: [], notes: [] };
+  }
   const asked = { q: q.slice(), v: v.slice() };
   const notes: string[] = [];
   for (const i of hold) v[i] = 0;

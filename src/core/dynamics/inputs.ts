@@ -1,7 +1,8 @@
 import type { InputMeta, SystemMeta } from '../systems/types.ts';
 
-/** The named inputs of a system and a raw generalized force `f_<coordinate>` on each coordinate. */
+/** The named inputs of a system and a raw generalized force `f_<coordinate>` on each coordinate; none on one of first order. */
 export function inputsOf(meta: SystemMeta): InputMeta[] {
+  if (meta.order === 1) return [];
   const raw = meta.coordinates
     .filter((c) => !meta.inputs.some((i) => i.name === `f_${c.name}`))
     .map((c) => ({

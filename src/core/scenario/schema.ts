@@ -1,3 +1,4 @@
+import { inputsOf } from '../dynamics/inputs.ts';
 import type { SystemMeta } from '../systems/types.ts';
 import { Checker, kindOf } from './checker.ts';
 import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS, STATE_ALIASES } from './defaults.ts';
@@ -54,9 +55,10 @@ function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map
 
 function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string, meta: SystemMeta): Scenario {
   const coordinates = meta.coordinates.map((q) => q.name);
-  const states = [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
+  // Of first order, the rates follow from the state.
+  const states = meta.order === 1 ? coordinates : [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
   const points = [...states, ...(STATE_ALIASES.get(id) ?? [])];
-  const inputs = [...new Set([...meta.inputs.map((i) => i.name), ...coordinates.map((name) => `f_${name}`)])];
+  const inputs = inputsOf(meta).map((i) => i.name);
   const set = file.get('parameterSet') === undefined ? null : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
   const sets = meta.constraintSets.map((s) => s.id);
   const constraints = file.get('constraints') === undefined ? sets[0]! : (c.oneOf('constraints', file.get('constraints'), sets) ?? sets[0]!);

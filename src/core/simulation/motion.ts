@@ -3,6 +3,7 @@ import type { StateMap } from '../dynamics/formulations/contract.ts';
 import { formulations } from '../dynamics/formulations/formulations.ts';
 import { createFormulation } from '../dynamics/formulations/registry.ts';
 import { StabilizedDae } from '../dynamics/stabilizedDae.ts';
+import { FirstOrder, FirstOrderResidual } from '../dynamics/firstOrder.ts';
 import type { Stepper } from '../integrators/contract.ts';
 import { Ida } from '../integrators/ida.ts';
 import { methods, type MethodInfo } from '../integrators/methods.ts';
@@ -24,6 +25,7 @@ export interface Motion {
  */
 export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Motion {
   const info = infoOf(method);
+  if (dynamics.system.firstOrder) return firstOrderMotion(info, method, dynamics);
   if (info.id === 'ida') {
     if (method.formulation !== undefined) throw new ScenarioError('method.formulation', 'is for every method but ida, which takes the residual as it is');
     const dae = new StabilizedDae(dynamics);
@@ -33,6 +35,12 @@ export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Mo
   const formulation = createFormulation(id, dynamics);
   if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
   return { map: formulation, stepper: createStepper(info.id, formulation, method)! };
+}
+
+/** There is nothing to formulate, so any formulation is the same. */
+function firstOrderMotion({ id }: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem): Motion {
+  const map = new FirstOrder(dynamics);
+  return { map, stepper: id === 'ida' ? new Ida(new FirstOrderResidual(map), method) : createStepper(id, map, method)! };
 }
 
 function infoOf({ name, stages }: MethodOptions): MethodInfo {

@@ -137,6 +137,14 @@ export interface System extends SystemView {
   /** `out` = [kinetic, potential] in J. */
   energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
   constraintSets: Readonly<Record<string, ConstraintSet>>;
+  /**
+   * A system of first order: f of `q' = f(q)` and df/dq (n x n). Its `mechanics` are then that equation's rate, M = 1 and
+   * h = df/dq v; its energy is 0.
+   */
+  firstOrder?: {
+    rate(q: Float64Array, p: Float64Array, out: Float64Array): void;
+    jacobian(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  };
   /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
   clearance?(q: Float64Array, p: Float64Array): number;
 }

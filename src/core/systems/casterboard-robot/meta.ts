@@ -1,0 +1,46 @@
+import type { SystemMeta } from '../types.ts';
+
+/**
+ * The casterboard robot of Kinugasa, Ishikawa, Sugimoto and Osuka, "Modeling and Control of Casterboard Robot" (IFAC
+ * NOLCOS 2013; the report's reference [19]): flat, its casters steered by the roll of its plates.
+ *
+ * The paper's Table 1 prints J = 0.039 kg m², ten times what its text has, J = m1 l1² / 3. The text's value is the
+ * default, because it gives the paper's figures; the table's is the parameter set `table`.
+ */
+export const casterboardRobotMeta = {
+  id: 'casterboard-robot',
+  title: 'Casterboard robot',
+  coordinates: [
+    { name: 'x', symbol: 'x', label: 'centre, forward', kind: 'length', part: 'board' },
+    { name: 'y', symbol: 'y', label: 'centre, to the left', kind: 'length', part: 'board' },
+    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'board' },
+    { name: 'phi_f', symbol: 'φ_f', label: 'front plate, to the left', kind: 'angle', part: 'front' },
+    { name: 'phi_r', symbol: 'φ_r', label: 'rear plate, to the left', kind: 'angle', part: 'back' },
+  ],
+  parameters: [
+    { name: 'l1', symbol: 'l_1', label: 'caster from centre', unit: 'm', default: 0.095, positive: true, group: 'Board' },
+    { name: 'l2', symbol: 'l_2', label: 'weight from roll axis', unit: 'm', default: 0.115, positive: true, group: 'Weights' },
+    { name: 'm1', symbol: 'm_1', label: 'board mass', unit: 'kg', default: 1.29, positive: true, group: 'Board' },
+    { name: 'm2', symbol: 'm_2', label: 'mass of each weight', unit: 'kg', default: 0.29, positive: true, group: 'Weights' },
+    { name: 'J', symbol: 'J', label: 'board inertia about the vertical', unit: 'kg·m²', default: (1.29 * 0.095 ** 2) / 3, positive: true, group: 'Board', note: 'm₁ l₁² / 3 of the defaults; it does not follow l₁ and m₁' },
+    { name: 'a', symbol: 'a', label: 'caster angle', unit: 'rad', kind: 'angle', default: (7 * Math.PI) / 18, min: 0, max: 1.5, group: 'Board', note: 'ψ = atan(tan(a) sin(φ))' },
+    { name: 'c', symbol: 'c', label: 'drag', unit: 'N·s/m', default: 0.8, min: 0, group: 'Losses' },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion' },
+  ],
+  parameterSets: { text: {}, table: { J: 0.039 } },
+  constraintSets: [
+    { id: 'rolling', label: 'Rolling: each caster moves along its heading' },
+    { id: 'none', label: 'None: free to slide' },
+  ],
+  inputs: [
+    { name: 'tau_f', symbol: 'τ_f', label: 'torque on the front weight', unit: 'N·m', column: { phi_f: 1 }, tracks: ['phi_f'] },
+    { name: 'tau_r', symbol: 'τ_r', label: 'torque on the rear weight', unit: 'N·m', column: { phi_r: 1 }, tracks: ['phi_r'] },
+  ],
+  bodies: [
+    { id: 'body', label: 'board', part: 'board' },
+    { id: 'front-arm', label: 'front arm', part: 'front' },
+    { id: 'rear-arm', label: 'rear arm', part: 'back' },
+    { id: 'front-wheel', label: 'front wheel', part: 'front' },
+    { id: 'rear-wheel', label: 'rear wheel', part: 'back' },
+  ],
+} as const satisfies SystemMeta;

@@ -1,0 +1,11 @@
+import type { SystemView } from '../types.ts';
+import { rollingWheelMeta } from './meta.ts';
+import { poses } from './poses.generated.ts';
+
+/** The wheel's origin is its hub at height rho, its axle is its y, forward is Rz(theta) x. */
+export const rollingWheelView: SystemView = {
+  meta: rollingWheelMeta,
+  poses,
+  contacts: [],
+  tracks: [{ body: 0, part: 'board', rim: 'rho' }],
+};

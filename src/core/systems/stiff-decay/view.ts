@@ -1,0 +1,10 @@
+import type { SystemView } from '../types.ts';
+import { stiffDecayMeta } from './meta.ts';
+import { poses } from './poses.generated.ts';
+
+/** The marker stands at height y above the origin. */
+export const stiffDecayView: SystemView = {
+  meta: stiffDecayMeta,
+  poses,
+  contacts: [],
+};

@@ -223,7 +223,7 @@ describe('rows that cannot be used', () => {
 
 test('other systems are known by their names; most coordinates win, a scenario decides', () => {
   const like = (id: string, list: string[]): SystemMeta => ({ ...meta, id, title: id, inputs: [], coordinates: list.map((name) => ({ ...meta.coordinates[0]!, name })) });
-  const systems = { ...metas, sleigh: like('sleigh', ['x', 'y', 'theta']), wheel: like('wheel', ['X', 'Y', 'theta', 'phi']) };
+  const systems = { ripstik: meta, sleigh: like('sleigh', ['x', 'y', 'theta']), wheel: like('wheel', ['X', 'Y', 'theta', 'phi']) };
   const id = (text: string) => {
     const result = readCsv(text, { systems });
     return result.kind === 'motion' ? result.systemId : result;

@@ -63,7 +63,7 @@ export function wheelPendulum(p: Value): Sketch {
       wheel: {
         about: 'Wheel: origin at the hub, axle along y.',
         parts: [
-          ...spokedWheel({ radius, halfWidth, spokes: 8, spokeRadius: 0.018 * radius }),
+          ...spokedWheel({ radius, halfWidth, spokes: 8, spokeRadius: 0.018 * radius, marked: 'accent-back' }),
           { group: 'axle', material: 'steel', triangles: tube([0, 0, 0], [0, beside - 1.4 * thick, 0], 0.6 * thick, 24) },
         ],
       },

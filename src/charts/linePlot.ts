@@ -47,7 +47,7 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
         scales: { x: { time: false }, y: { ...(options.logarithmic ? { distr: 3 as const } : {}), range: (_plot, low, high) => limits ?? [low, high] } },
         axes: [
           { ...axis, label: options.xLabel, size: 28 },
-          { ...axis, label: options.yLabel, size: 60 },
+          { ...axis, label: options.yLabel, size: 60, ...(options.logarithmic ? { splits: (_plot: uPlot, _axis: number, low: number, high: number) => decades(low, high), values: (_plot: uPlot, at: number[]) => at.map(power) } : {}) },
         ],
         series: [{}, ...series.map((s) => ({ label: s.label, stroke: s.color, width: 1.5, dash: s.dash ? [...s.dash] : undefined, points: { show: false }, spanGaps: true }))],
       },
@@ -80,6 +80,21 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
     },
   };
 }
+
+/** At most this many labels stand on a logarithmic axis. */
+const MOST_DECADES = 8;
+
+/** Powers of ten from low to high, every one or as many apart as leaves them legible. */
+function decades(low: number, high: number): number[] {
+  const first = Math.ceil(Math.log10(low) - 1e-9);
+  const last = Math.floor(Math.log10(high) + 1e-9);
+  const apart = Math.max(1, Math.ceil((last - first + 1) / MOST_DECADES));
+  const at: number[] = [];
+  for (let k = Math.ceil(first / apart) * apart; k <= last; k += apart) at.push(10 ** k);
+  return at;
+}
+
+const power = (x: number): string => `1e${String(Math.round(Math.log10(x))).replace('-', '\u2212')}`;
 
 /** What the curves that may stretch the axis need, with a little air; null when there are none. */
 function limitsOf(series: readonly PlotSeries[], logarithmic: boolean): [number, number] | null {

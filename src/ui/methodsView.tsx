@@ -6,6 +6,7 @@ import type { Comparison, Outcome } from '../app/comparison.ts';
 import { otherMethods, reportMethods, type MethodChoice } from '../core/cases/methodSets.ts';
 import type { MethodOptions } from '../core/scenario/types.ts';
 import { useUi } from './context.ts';
+import { Check } from './controls.tsx';
 import { Dialog } from './dialogs.tsx';
 import { formatCount, formatScientific, formatShort } from './format.ts';
 import { text } from './text.ts';
@@ -44,13 +45,16 @@ function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
   const chosen = useSignal<ReadonlySet<string>>(new Set(all.filter((c) => c.report || c.id === 'dopri5' || c.id === 'dop853').map((c) => c.id)));
   const settings = useSignal<ReadonlyMap<string, Partial<MethodOptions>>>(new Map());
   const column = useSignal('alpha_fp');
+  const projection = useSignal(true);
   const problem = useSignal('');
   const busy = useComputed(() => comparison.busy);
   const figure = useRef<HTMLDivElement>(null);
   const start = () => {
     problem.value = '';
     try {
-      const contenders = all.filter((c) => chosen.value.has(c.id)).map((c) => ({ ...c, method: { ...c.method, ...settings.value.get(c.id) } }));
+      const contenders = all.filter((c) => chosen.value.has(c.id)).map((c) => ({
+        ...c, method: { ...c.method, ...settings.value.get(c.id), ...(projection.value ? {} : { projection: false }) },
+      }));
       ui.app.actions.compare(contenders);
     } catch (error) {
       problem.value = (error as Error).message;
@@ -83,6 +87,7 @@ function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
         <label>{text.methods.curve} <select data-testid="methods-column" value={column.value} onChange={(e) => { column.value = e.currentTarget.value; }}>
           {COLUMNS.map((c) => <option key={c} value={c}>{c}</option>)}
         </select></label>
+        <Check label={text.methods.projection} checked={projection.value} testId="methods-projection" onChange={(on) => { projection.value = on; }} />
         <span class="spring" />
         <button type="button" data-testid="methods-csv" disabled={comparison.outcomes.value.length === 0} onClick={() => saveTable(comparison.outcomes.value)}>{text.methods.csv}</button>
         <button type="button" data-testid="methods-png" disabled={comparison.outcomes.value.length === 0} onClick={() => savePicture(figure.current!)}>{text.methods.png}</button>

@@ -1,34 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { gauss, radau } from '../../src/core/integrators/collocationCoefficients.ts';
-import type { OdeProblem, StepFailure, Stepper, StepperOptions } from '../../src/core/integrators/contract.ts';
+import type { OdeProblem, Stepper, StepperOptions } from '../../src/core/integrators/contract.ts';
 import { A, B3, C, E5 } from '../../src/core/integrators/dop853Coefficients.ts';
 import { methods, type MethodInfo } from '../../src/core/integrators/methods.ts';
 import { createStepper } from '../../src/core/integrators/registry.ts';
-
-type Derivative = (t: number, y: Float64Array, out: Float64Array) => boolean | void;
-
-function problem(dimension: number, f: Derivative, more: Partial<OdeProblem> = {}): OdeProblem {
-  return { dimension, failure: null, derivative: (t, y, out) => f(t, y, out) !== false, ...more };
-}
-
-/** Kepler's problem with eccentricity 0.3, from the pericentre: nonlinear, smooth, known. */
-const ECCENTRICITY = 0.3;
-const kepler = problem(4, (_t, y, out) => {
-  const r3 = Math.hypot(y[0]!, y[1]!) ** 3;
-  out.set([y[2]!, y[3]!, -y[0]! / r3, -y[1]! / r3]);
-});
-
-function keplerAt(t: number): Float64Array {
-  let E = t;
-  for (let i = 0; i < 60; i++) E -= (E - ECCENTRICITY * Math.sin(E) - t) / (1 - ECCENTRICITY * Math.cos(E));
-  const d = 1 - ECCENTRICITY * Math.cos(E);
-  const q = Math.sqrt(1 - ECCENTRICITY ** 2);
-  return Float64Array.of(Math.cos(E) - ECCENTRICITY, q * Math.sin(E), -Math.sin(E) / d, (q * Math.cos(E)) / d);
-}
-
-function distance(a: Float64Array, b: Float64Array): number {
-  return Math.max(...a.map((x, i) => Math.abs(x - b[i]!)));
-}
+import { ROBERTSON_40, VAN_DER_POL_2, distance, kepler, keplerAt, problem, robertson, run, vanDerPol } from './problems.ts';
 
 interface Case {
   name: string;
@@ -57,8 +33,6 @@ const table: readonly Omit<Case, 'name'>[] = [
 
 const cases: readonly Case[] = table.map((c) => ({ ...c, name: c.stages ? `${c.id} ${c.stages}` : c.id }));
 
-const implicit = (c: Case): boolean => c.id === 'gauss' || c.id === 'radau' || c.id === 'adams-moulton';
-
 function stepperOf(c: Pick<Case, 'id' | 'stages'>, p: OdeProblem, options: Partial<StepperOptions>): Stepper {
   return createStepper(c.id, p, { rtol: 1e-8, atol: 1e-10, ...(c.stages ? { stages: c.stages } : {}), ...options })!;
 }
@@ -66,15 +40,6 @@ function stepperOf(c: Pick<Case, 'id' | 'stages'>, p: OdeProblem, options: Parti
 /** Equal steps: collocation without error control, explicit pairs with a tolerance that nothing exceeds. */
 function equalSteps(c: Pick<Case, 'id' | 'stages'>, h: number): Partial<StepperOptions> {
   return { rtol: c.id === 'gauss' || c.id === 'radau' ? Infinity : 1e12, atol: 1e-10, step: h, maxStep: h };
-}
-
-function run(stepper: Stepper, limit: number, afterStep: () => void = () => {}): StepFailure | null {
-  for (let i = 0; i < 1e6 && stepper.t < limit; i++) {
-    const failure = stepper.step(limit);
-    if (failure) return failure;
-    afterStep();
-  }
-  return null;
 }
 
 describe('order of convergence', () => {
@@ -206,23 +171,6 @@ describe('stiff problems', () => {
     expect(Math.abs(distances({ id: 'radau', stages })[4]!)).toBeLessThan(1e-4);
   });
 
-  const robertson = (exact: boolean): OdeProblem =>
-    problem(3, (_t, y, out) => {
-      const [a, b, c] = y as unknown as [number, number, number];
-      out[0] = -0.04 * a + 1e4 * b * c;
-      out[2] = 3e7 * b * b;
-      out[1] = -out[0]! - out[2]!;
-    }, exact ? {
-      jacobian: (_t, y, out) => {
-        const [, b, c] = y as unknown as [number, number, number];
-        out.set([-0.04, 1e4 * c, 1e4 * b, 0.04, -1e4 * c - 6e7 * b, -1e4 * b, 0, 6e7 * b, 0]);
-        return true;
-      },
-    } : {});
-
-  /** Robertson's reaction at t = 40; SciPy 1.17.1's Radau at rtol 1e-11 gives the same digits. */
-  const ROBERTSON_40 = [0.7158270688, 9.185534765e-6, 0.2841637457];
-
   test.each([
     { id: 'radau', stages: 3, exact: true }, { id: 'radau', stages: 3, exact: false },
     { id: 'radau', stages: 2, exact: true }, { id: 'gauss', stages: 3, exact: false },
@@ -237,14 +185,10 @@ describe('stiff problems', () => {
   });
 
   test('Radau takes a stiff oscillator (van der Pol, 1e-6) through its jumps in few steps', () => {
-    const stepper = stepperOf({ id: 'radau' }, problem(2, (_t, y, out) => {
-      out[0] = y[1]!;
-      out[1] = ((1 - y[0]! * y[0]!) * y[1]! - y[0]!) / 1e-6;
-    }), { rtol: 1e-7, atol: 1e-7 });
+    const stepper = stepperOf({ id: 'radau' }, vanDerPol, { rtol: 1e-7, atol: 1e-7 });
     stepper.reset(0, Float64Array.of(2, -0.66));
     expect(run(stepper, 2)).toBeNull();
-    // SciPy 1.17.1's Radau at rtol 1e-10.
-    expect(Math.abs(stepper.y[0]! - 1.70616743754)).toBeLessThan(1e-8);
+    expect(Math.abs(stepper.y[0]! - VAN_DER_POL_2)).toBeLessThan(1e-8);
     expect(stepper.counters.steps).toBeLessThan(2000);
   });
 });
@@ -257,114 +201,4 @@ test('Gauss in equal steps keeps a quadratic invariant as well as its equations 
   let drift = 0;
   expect(run(stepper, 100, () => (drift = Math.max(drift, Math.abs(momentum(stepper.y) - start))))).toBeNull();
   expect(drift).toBeLessThan(1e-10);
-});
-
-describe.each(cases)('contract: $name', (c) => {
-  const stepOf = implicit(c) ? 0.02 : 0.01;
-  const options = { rtol: 1e-7, atol: 1e-9, step: stepOf };
-
-  test('the limit is hit to the last bit and never passed', () => {
-    const stepper = stepperOf(c, kepler, options);
-    stepper.reset(0, keplerAt(0));
-    for (const limit of [0.1, 0.1 + 1e-9, 0.3, 0.7000000001, Math.PI / 3]) {
-      expect(run(stepper, limit, () => expect(stepper.t).toBeLessThanOrEqual(limit))).toBeNull();
-      expect(stepper.t).toBe(limit);
-    }
-  });
-
-  test('after a reset the same input gives the same bits, whatever was before', () => {
-    const stepper = stepperOf(c, kepler, options);
-    const twice = [0, 1].map(() => {
-      stepper.reset(0, keplerAt(0));
-      expect(run(stepper, 1)).toBeNull();
-      const between = new Float64Array(4);
-      stepper.interpolate((stepper.previousT + stepper.t) / 2, between);
-      const found = { y: [...stepper.y], between: [...between], counters: { ...stepper.counters } };
-      stepper.reset(0.2, Float64Array.of(1, 2, -1, 0.5));
-      expect(run(stepper, 1.3)).toBeNull();
-      return found;
-    });
-    expect(twice[1]).toEqual(twice[0]);
-  });
-
-  test('counters move', () => {
-    const stepper = stepperOf(c, kepler, options);
-    let calls = 0;
-    const counted = stepperOf(c, { ...kepler, derivative: (t, y, out) => (calls++, kepler.derivative(t, y, out)) }, options);
-    for (const s of [stepper, counted]) {
-      s.reset(0, keplerAt(0));
-      expect(run(s, 1)).toBeNull();
-    }
-    expect(counted.counters.evaluations).toBe(calls);
-    expect(counted.counters).toEqual(stepper.counters);
-    expect(stepper.counters.steps).toBeGreaterThan(0);
-    if (implicit(c)) {
-      expect(stepper.counters.jacobians).toBeGreaterThan(0);
-      expect(stepper.counters.factorizations).toBeGreaterThan(0);
-    }
-  });
-
-  test('what lies between the ends of a step does not depend on what happens to y afterwards', () => {
-    const [plain, moved] = [0, 1].map(() => {
-      const stepper = stepperOf(c, kepler, options);
-      stepper.reset(0, keplerAt(0));
-      expect(run(stepper, 0.3)).toBeNull();
-      return stepper;
-    }) as [Stepper, Stepper];
-    moved.y.fill(7);
-    moved.stateChanged();
-    const [a, b] = [new Float64Array(4), new Float64Array(4)];
-    for (const s of [0, 0.3, 1]) {
-      const t = plain.previousT + s * (plain.t - plain.previousT);
-      plain.interpolate(t, a);
-      moved.interpolate(t, b);
-      expect([...b]).toEqual([...a]);
-      expect(distance(a, keplerAt(t))).toBeLessThan(c.order === 1 ? 0.1 : 1e-3);
-    }
-  });
-
-  test('a state that was moved is where the next step starts from', () => {
-    const stepper = stepperOf(c, kepler, options);
-    stepper.reset(0, keplerAt(0));
-    expect(run(stepper, 0.3)).toBeNull();
-    stepper.y.set(keplerAt(2));
-    stepper.stateChanged();
-    expect(run(stepper, 0.8)).toBeNull();
-    expect(distance(stepper.y, keplerAt(2.5))).toBeLessThan(c.order === 1 ? 0.02 : 1e-3);
-  });
-
-  test.each([
-    { what: 'has no value', value: false, failure: 'constraint-singular' },
-    { what: 'is not a number', value: true, failure: null },
-  ])('where f $what the step fails by name and moves nothing', ({ value, failure }) => {
-    const wall = 0.5;
-    const stepper = stepperOf(c, {
-      dimension: 4,
-      failure,
-      derivative: (t, y, out) => {
-        if (t <= wall) return kepler.derivative(t, y, out);
-        out.fill(NaN);
-        return value;
-      },
-    }, options);
-    stepper.reset(0, keplerAt(0));
-    let last = { t: 0, previousT: 0, y: [...stepper.y] };
-    const found = run(stepper, 1, () => (last = { t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }));
-    expect(found).toBe(failure ?? 'non-finite');
-    expect({ t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }).toEqual(last);
-    expect(stepper.t).toBeLessThanOrEqual(wall + stepOf);
-    expect(stepper.t).toBeGreaterThan(wall - 2 * stepOf);
-    const state = new Float64Array(4);
-    const middle = (stepper.previousT + stepper.t) / 2;
-    stepper.interpolate(middle, state);
-    expect(distance(state, keplerAt(middle))).toBeLessThan(c.order === 1 ? 0.1 : 1e-3);
-  });
-});
-
-test('an implicit equation without a solution is a failure called newton', () => {
-  // y1 = y0 + h/2 (1 + y0^2 + 1 + y1^2) has no real solution for h = 3.
-  const stepper = stepperOf({ id: 'adams-moulton' }, problem(1, (_t, y, out) => void (out[0] = 1 + y[0]! ** 2)), { step: 3 });
-  stepper.reset(0, Float64Array.of(1));
-  expect(stepper.step(10)).toBe('newton');
-  expect([stepper.t, stepper.y[0]]).toEqual([0, 1]);
 });

@@ -1,41 +1,19 @@
 import { describe, expect, test } from 'vitest';
 import { cases } from '../../src/core/cases/cases.ts';
-import { ConstrainedSystem } from '../../src/core/dynamics/constrainedSystem.ts';
-import { consistentStart } from '../../src/core/dynamics/consistentStart.ts';
-import { actuationOf } from '../../src/core/dynamics/forcing.ts';
 import { Projection } from '../../src/core/dynamics/projection.ts';
 import { StabilizedDae } from '../../src/core/dynamics/stabilizedDae.ts';
-import type { StepFailure, Stepper } from '../../src/core/integrators/contract.ts';
 import { Ida } from '../../src/core/integrators/ida.ts';
-import { systems } from '../../src/core/systems/registry.ts';
-import { runOf, scenarioOf, seeded } from '../helpers.ts';
-
-function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  return Math.max(...Array.from(a, (x, i) => Math.abs(x - b[i]!)));
-}
-
-function run(stepper: Stepper, limit: number, afterStep: () => void = () => {}): StepFailure | null {
-  for (let i = 0; i < 1e6 && stepper.t < limit; i++) {
-    const failure = stepper.step(limit);
-    if (failure) return failure;
-    afterStep();
-  }
-  return null;
-}
+import { runOf, seeded } from '../helpers.ts';
+import { mechanicsOf } from '../mechanics.ts';
+import { distance, run } from './problems.ts';
 
 /** A scenario's mechanics as a DAE, with its start. */
-function mechanicsOf(raw: unknown) {
-  const scenario = scenarioOf(raw);
-  const system = systems[scenario.system]!;
-  const { meta } = system;
-  const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
-  const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
-  const { q, v } = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
-  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, actuationOf(scenario, system).forcing);
-  const dae = new StabilizedDae(dynamics);
+function daeOf(raw: unknown) {
+  const mechanics = mechanicsOf(raw);
+  const dae = new StabilizedDae(mechanics.dynamics);
   const y = new Float64Array(dae.dimension);
-  dae.fromState(q, v, y);
-  return { scenario, dynamics, dae, q, v, y, n: dynamics.n };
+  dae.fromState(mechanics.q, mechanics.v, y);
+  return { ...mechanics, dae, y };
 }
 
 const leaning = { version: 1, system: 'ripstik', initial: { X_dot: 1, alpha: '0.5 deg' }, duration: 0.5 };
@@ -49,7 +27,7 @@ describe('mechanics as a stabilized DAE', () => {
   test.each([
     { name: 'leaning', raw: leaning }, { name: 'hanging', raw: hanging }, { name: 'driven', raw: driven },
   ])('$name: the start is consistent, and the Jacobian is that of the residual', ({ raw }) => {
-    const { dae, y } = mechanicsOf(raw);
+    const { dae, y } = daeOf(raw);
     const size = dae.dimension;
     const yp = new Float64Array(size);
     const residual = new Float64Array(size);
@@ -57,7 +35,7 @@ describe('mechanics as a stabilized DAE', () => {
     dae.residual(0, y, yp, residual);
     expect(Math.max(...residual.map(Math.abs))).toBeLessThan(1e-11);
 
-    const { held } = mechanicsOf(raw).dynamics;
+    const { held } = daeOf(raw).dynamics;
     const random = seeded(7);
     const fixed = (i: number): boolean => held.some((h) => i === h || i === 10 + h);
     for (let i = 0; i < size; i++) {
@@ -92,7 +70,7 @@ describe('mechanics as a stabilized DAE', () => {
     const { columns, end } = runOf({ ...raw, method: { name: 'dopri5', rtol: 1e-11, atol: 1e-13 } });
     expect(end.reason).toBe('end');
     for (const projected of [false, true]) {
-      const { scenario, dynamics, dae, y, q, v, n } = mechanicsOf(raw);
+      const { scenario, dynamics, dae, y, q, v, n } = daeOf(raw);
       const projection = new Projection(dynamics);
       const stepper = new Ida(dae, { rtol: 1e-9, atol: 1e-11 });
       stepper.reset(0, y);
@@ -109,7 +87,7 @@ describe('mechanics as a stabilized DAE', () => {
       const off = distance(stepper.y.subarray(0, 2 * n), last);
       expect(off).toBeLessThan(1e-6);
       expect(residual).toBeLessThan(1e-10);
-      for (const i of dynamics.held) expect([stepper.y[i], stepper.y[n + i]]).toEqual([mechanicsOf(raw).q[i], 0]);
+      for (const i of dynamics.held) expect([stepper.y[i], stepper.y[n + i]]).toEqual([daeOf(raw).q[i], 0]);
     }
   });
 });

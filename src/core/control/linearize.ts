@@ -26,6 +26,8 @@ export interface Linearization {
   /** N^T A N and N^T B: all there is to the motion. */
   readonly tangentA: Matrix;
   readonly tangentB: Matrix;
+  /** What each input would do to the bodies without constraints, |M^-1 b|: beside it rounding in B is nothing. */
+  readonly inputSizes: readonly number[];
 }
 
 /** Derivatives at the steady motion; rows of held coordinates are cleared. */
@@ -54,8 +56,8 @@ export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): L
     d.solveSaddle(a, new Float64Array(d.m));
     for (let i = 0; i < n; i++) B.set(n + i, k, a[i]!);
   }
-  const { Omega, C } = piecesAt(motion, inputs);
-  return restricted(motion, inputs, fromRowMajor(data, 2 * n, 2 * n), B, tangentBasis(motion, Omega, C));
+  const pieces = piecesAt(motion, inputs);
+  return restricted(motion, inputs, fromRowMajor(data, 2 * n, 2 * n), B, pieces);
 }
 
 /** Order (b): the equations with multipliers are differentiated, the force's d(Omega^T lambda0)/dq kept, then eliminated. */
@@ -147,7 +149,7 @@ function eliminated(motion: SteadyMotion, inputs: readonly InputMeta[], p: Piece
   A.setSubMatrix(Matrix.sub(a.subMatrix(0, n - 1, n, 2 * n - 1), drift), n, n);
   const B = Matrix.zeros(2 * n, inputs.length);
   if (inputs.length > 0) B.setSubMatrix(a.subMatrix(0, n - 1, 2 * n, 2 * n + inputs.length - 1), n, 0);
-  return restricted(motion, inputs, A, B, tangentBasis(motion, p.Omega, p.C));
+  return restricted(motion, inputs, A, B, p);
 }
 
 /** Rows that are shorter than this share of the longest beside the others are dependent on them. */
@@ -174,7 +176,9 @@ function unitRow(length: number, i: number): Matrix {
   return row;
 }
 
-function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matrix, B: Matrix, N: Matrix): Linearization {
+function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matrix, B: Matrix, p: Pieces): Linearization {
+  const N = tangentBasis(motion, p.Omega, p.C);
+  const free = solveLinear(p.M, p.inputs);
   const names = motion.dynamics.system.meta.coordinates.map((c) => c.name);
   const Nt = N.transpose();
   return {
@@ -186,5 +190,6 @@ function restricted(motion: SteadyMotion, inputs: readonly InputMeta[], A: Matri
     basis: N,
     tangentA: Nt.mmul(A).mmul(N),
     tangentB: inputs.length > 0 ? Nt.mmul(B) : new Matrix(N.columns, 0),
+    inputSizes: inputs.map((_, k) => free?.getColumnVector(k).norm() ?? 0),
   };
 }

@@ -45,10 +45,10 @@ export interface ReachablePlant {
 }
 
 export function reachablePlant(linearization: Linearization): ReachablePlant {
-  const { basis, tangentA, tangentB, states, inputs } = linearization;
-  const split = splitByReachability(tangentA, tangentB);
+  const { basis, tangentA, tangentB, states, inputs, inputSizes } = linearization;
+  const split = splitByReachability(tangentA, tangentB, inputSizes);
   const modes = unreachableModes(split, basis, states);
-  return { linearization, split, modes, byInput: reachByInput(tangentA, tangentB, inputs) };
+  return { linearization, split, modes, byInput: reachByInput(tangentA, tangentB, inputs, inputSizes) };
 }
 
 /**
@@ -67,7 +67,7 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   const unreachable = modes.map((mode) => ({ ...mode, weighted: isWeighted(mode, weights.Q) }));
   refuseUnstable(unreachable, split.scale, inputs);
   const seen = root.mmul(N).mmul(split.reachable);
-  const { U, Up } = unseenOnAxis(split, seen);
+  const { U, Up } = unseenOnAxis(split, seen, weights.Q.map(Math.sqrt));
   const Upt = Up.transpose();
   const [A, B, C] = [Upt.mmul(split.A).mmul(Up), Upt.mmul(split.B), seen.mmul(Up)];
   const riccati = solveNamed(A, B, C, weights.R, N.mmul(split.reachable).mmul(Up), linearization);
@@ -104,8 +104,8 @@ function refuseUnstable(modes: readonly Mode[], scale: number, inputs: readonly 
 }
 
 /** Modes of the reachable part that are on the imaginary axis and never show in the cost; and the complement. */
-function unseenOnAxis(split: ReachableSplit, seen: Matrix): { U: Matrix; Up: Matrix } {
-  const { unseen } = unobservableSubspace(split.A, seen);
+function unseenOnAxis(split: ReachableSplit, seen: Matrix, sizes: readonly number[]): { U: Matrix; Up: Matrix } {
+  const { unseen } = unobservableSubspace(split.A, seen, sizes);
   if (unseen.columns === 0) return { U: unseen, Up: Matrix.eye(split.A.rows) };
   const U = unseen.mmul(axisSubspace(unseen.transpose().mmul(split.A).mmul(unseen), split.scale));
   // U is orthonormal: its complement is where its singular values, all 1, are not.

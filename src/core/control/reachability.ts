@@ -23,14 +23,17 @@ export interface Reachability {
  * (1981), 111-129; C. C. Paige, "Properties of numerical algorithms related to computing controllability", same volume,
  * 130-138) in the form of a block Arnoldi process. Only orthogonal bases are multiplied, never powers of A; a rank is
  * decided at each stage by singular values. The size of an input's unit does not matter: columns of B are normalized.
+ *
+ * @param sizes what each column of B would be if nothing cancelled in it (its own size if left out): a column that is
+ * rounding beside that does nothing
  */
-export function reachableSubspace(A: Matrix, B: Matrix): Reachability {
+export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[]): Reachability {
   const size = norm(A);
   const stages: number[] = [];
   const margin = { kept: Infinity, dropped: 0 };
   let V = new Matrix(A.rows, 0);
   let complement = Matrix.eye(A.rows);
-  let block = normalizedColumns(B);
+  let block = normalizedColumns(B, sizes);
   let scale = 1;
   while (complement.columns > 0 && block.columns > 0) {
     // In coordinates of the complement the new directions are orthogonal to the old ones to rounding.
@@ -48,9 +51,14 @@ export function reachableSubspace(A: Matrix, B: Matrix): Reachability {
   return { reachable: V, complement, stages, margin };
 }
 
-function normalizedColumns(B: Matrix): Matrix {
-  const columns = [...Array(B.columns).keys()].map((c) => B.getColumnVector(c)).filter((c) => c.norm() > 0);
-  return columns.reduce((all, c) => besides(all, c.div(c.norm())), new Matrix(B.rows, 0));
+function normalizedColumns(B: Matrix, sizes?: readonly number[]): Matrix {
+  let all = new Matrix(B.rows, 0);
+  for (let c = 0; c < B.columns; c++) {
+    const column = B.getColumnVector(c);
+    const length = norm(column);
+    if (length > ROUNDING * (sizes?.[c] ?? 0)) all = besides(all, column.div(length));
+  }
+  return all;
 }
 
 /** A in blocks of reachable and other directions, and a complement that moves by itself. */
@@ -70,8 +78,8 @@ export interface ReachableSplit extends Reachability {
   scale: number;
 }
 
-export function splitByReachability(A: Matrix, B: Matrix): ReachableSplit {
-  const reach = reachableSubspace(A, B);
+export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[]): ReachableSplit {
+  const reach = reachableSubspace(A, B, sizes);
   const [V, Vp] = [reach.reachable, reach.complement];
   const [Vt, Vpt] = [V.transpose(), Vp.transpose()];
   const inner = Vt.mmul(A).mmul(V);
@@ -109,10 +117,10 @@ export interface InputReach {
 }
 
 /** Which inputs reach which modes, each input alone. */
-export function reachByInput(A: Matrix, B: Matrix, inputs: readonly string[]): InputReach[] {
+export function reachByInput(A: Matrix, B: Matrix, inputs: readonly string[], sizes?: readonly number[]): InputReach[] {
   const all = eigenvalues(A);
   return inputs.map((input, k) => {
-    const { reachable: V, complement: Vp, margin } = reachableSubspace(A, B.getColumnVector(k));
+    const { reachable: V, complement: Vp, margin } = reachableSubspace(A, B.getColumnVector(k), sizes && [sizes[k]!]);
     const missed = Vp.columns > 0 ? eigenvalues(Vp.transpose().mmul(A).mmul(Vp), norm(A)) : [];
     return { input, dimension: V.columns, reached: without(all, missed), missed, margin };
   });
@@ -131,9 +139,13 @@ function without(all: readonly Complex[], others: readonly Complex[]): Complex[]
 
 /**
  * Orthonormal basis of what never shows in `C x` of `x' = A x` (the dual of reachability), and of its orthogonal
- * complement.
+ * complement. `sizes` of the rows of C as those of B's columns.
  */
-export function unobservableSubspace(A: Matrix, C: Matrix): { unseen: Matrix; seen: Matrix; margin: Reachability['margin'] } {
-  const { reachable, complement, margin } = reachableSubspace(A.transpose(), C.transpose());
+export function unobservableSubspace(
+  A: Matrix,
+  C: Matrix,
+  sizes?: readonly number[],
+): { unseen: Matrix; seen: Matrix; margin: Reachability['margin'] } {
+  const { reachable, complement, margin } = reachableSubspace(A.transpose(), C.transpose(), sizes);
   return { unseen: complement, seen: reachable, margin };
 }

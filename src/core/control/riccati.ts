@@ -49,7 +49,7 @@ export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[])
   if (n === 0) return { X: new Matrix(0, 0), gain: new Matrix(B.columns, 0), residual: 0, closedLoop: [], doublings: 0, corrections: 0 };
   const start = stabilizing(A, F, Q);
   if (!start) throw new ControlError(unsolvable(plainEigenvalues(A)));
-  const { T, inverseT, a, f, q } = start;
+  const { inverseT, a, f, q } = start;
   const { Y, corrections, converged } = refine(a, f, q, start.Y);
   const w = f.transpose().mmul(Y);
   const closedLoop = plainEigenvalues(Matrix.sub(a, f.mmul(w)));
@@ -149,7 +149,6 @@ function cayley(A: Matrix, G: Matrix, H: Matrix, gamma: number): { Ak: Matrix; G
 
 /** The equation in coordinates x = T z, with a stabilizing Y to start from. */
 interface Scaled {
-  T: Matrix;
   inverseT: Matrix;
   a: Matrix;
   f: Matrix;
@@ -175,7 +174,7 @@ function stabilizing(A: Matrix, F: Matrix, Q: Matrix): Scaled | null {
     const [a, f, q] = [inverseT.mmul(A).mmul(T), inverseT.mmul(F), symmetricPart(T.transpose().mmul(Q).mmul(T))];
     const fine = doubling(a, f.mmul(f.transpose()), q);
     for (const Y of [fine?.Y, symmetricPart(T.transpose().mmul(rough.Y).mmul(T))]) {
-      if (Y && stabilizes(a, f, Y)) return { T, inverseT, a, f, q, Y, steps: rough.steps + (fine?.steps ?? 0) };
+      if (Y && stabilizes(a, f, Y)) return { inverseT, a, f, q, Y, steps: rough.steps + (fine?.steps ?? 0) };
     }
   }
   return null;

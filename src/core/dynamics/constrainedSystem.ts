@@ -6,10 +6,10 @@ import type { ConstraintSet, System } from '../systems/types.ts';
 export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | 'non-finite';
 
 /**
- * A pivot of the scaled 4 x 4 system below this share of its diagonal is rounding: the constraint rows are
- * then dependent. Well below the event's 1e-6, so that the event speaks first.
+ * A pivot of the scaled 4 x 4 system below this share of its diagonal (elsewhere: of the largest entry) is rounding:
+ * the constraint rows are then dependent. Well below the event's 1e-6, so that the event speaks first.
  */
-const DEPENDENT = 1e-13;
+export const DEPENDENT = 1e-13;
 
 /** Generalized forces from outside: added onto `force` (n) at time t and state q, v. */
 export interface Forcing {

@@ -18,13 +18,13 @@ export const MOST_ITERATIONS = 4;
  * Increments that do not shrink any more, with derivatives of this very step and this far below the tolerance, are
  * rounding: near dependent constraints it is more than its share of each variable alone tells.
  */
-const HARMLESS = 0.03;
+const HARMLESS = 0.1;
 
 /**
  * Constraints mix the components of y, so each is known no better than to this share of the largest: a tolerance below
- * would shorten the step for ever.
+ * would shorten the step for ever. Rounding grows a thousandfold until `constraint-singular` ends a run.
  */
-const KNOWN = 16 * Number.EPSILON;
+const KNOWN = 256 * Number.EPSILON;
 
 export class BdfCorrector {
   /** y - prediction. */
@@ -42,6 +42,8 @@ export class BdfCorrector {
   private readonly lu: ScaledLu;
   /** The matrix belongs to this cj; 0 if there is none. */
   private factoredFor = 0;
+  /** The last solve made its matrix. */
+  private fresh = false;
   private t = 0;
   private cj = 0;
   private readonly predicted: Float64Array;
@@ -89,7 +91,10 @@ export class BdfCorrector {
     this.t = t;
     this.cj = ((1 - equations.kappa[history.order]!) * GAMMA[history.order]!) / history.spacing;
     this.scaleBy(predicted, history.spacing);
-    if (this.factoredFor !== this.cj) {
+    // How fast the iteration converged with a new matrix says nothing of the next step, when it is old.
+    if (this.fresh) this.newton.reset();
+    this.fresh = this.factoredFor !== this.cj;
+    if (this.fresh) {
       const renew = this.factoredFor === 0;
       this.factoredFor = 0;
       const known = equations.matrix(t, y, slope, this.cj, renew, lu.matrix);

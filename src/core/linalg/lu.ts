@@ -5,15 +5,16 @@
 
 /**
  * Factors `A` (n x n) in place: unit lower L below the diagonal, U on and above it; row swaps into `pivots` (n).
+ * @param smallest pivots up to this size count as zero
  * @returns false when a pivot is zero or not a number
  */
-export function luFactor(A: Float64Array, n: number, pivots: Int32Array): boolean {
+export function luFactor(A: Float64Array, n: number, pivots: Int32Array, smallest = 0): boolean {
   for (let k = 0; k < n; k++) {
     let p = k;
     for (let i = k + 1; i < n; i++) if (Math.abs(A[i * n + k]!) > Math.abs(A[p * n + k]!)) p = i;
     pivots[k] = p;
     const pivot = A[p * n + k]!;
-    if (!(Math.abs(pivot) > 0 && Math.abs(pivot) < Infinity)) return false;
+    if (!(Math.abs(pivot) > smallest && Math.abs(pivot) < Infinity)) return false;
     if (p !== k) {
       for (let j = 0; j < n; j++) {
         const swap = A[k * n + j]!;

@@ -1,6 +1,6 @@
 import { maxAbs } from '../../linalg/dense.ts';
 import { luFactor, luSolve } from '../../linalg/lu.ts';
-import type { ConstrainedSystem } from '../constrainedSystem.ts';
+import { DEPENDENT, type ConstrainedSystem } from '../constrainedSystem.ts';
 import { AccelerationJacobian } from './accelerationJacobian.ts';
 import { blockOrder } from './blockOrder.ts';
 import type { Formulation } from './contract.ts';
@@ -162,7 +162,7 @@ export class BlockTriangular implements Formulation {
       right[i] = sum;
       for (let j = 0; j < b; j++) matrix[i * b + j] = K[e * size + unknowns[j]!]!;
     }
-    if (!luFactor(matrix, b, plan.pivots)) {
+    if (!luFactor(matrix, b, plan.pivots, DEPENDENT * maxAbs(matrix))) {
       if (!(maxAbs(K) < Infinity)) return this.fail('non-finite');
       return this.fail(plan.hasMultiplier ? 'constraint-singular' : 'mass-matrix-singular');
     }

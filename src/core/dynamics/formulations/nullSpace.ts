@@ -1,7 +1,7 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed } from '../../linalg/dense.ts';
 import { luFactor, luSolve } from '../../linalg/lu.ts';
 import { qrFull } from '../../linalg/qr.ts';
-import type { ConstrainedSystem } from '../constrainedSystem.ts';
+import { DEPENDENT, type ConstrainedSystem } from '../constrainedSystem.ts';
 import { AccelerationJacobian } from './accelerationJacobian.ts';
 import type { Formulation } from './contract.ts';
 
@@ -153,7 +153,7 @@ export class NullSpace implements Formulation {
         else T[r * k + j - c] = sum;
       }
     }
-    if (!luFactor(B, c, this.pivots)) return this.fail('constraint-singular');
+    if (!luFactor(B, c, this.pivots, DEPENDENT * maxAbs(B))) return this.fail('constraint-singular');
     for (let j = 0; j < k; j++) {
       for (let r = 0; r < c; r++) w[r] = T[r * k + j]!;
       luSolve(B, c, this.pivots, w);

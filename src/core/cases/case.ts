@@ -1,0 +1,59 @@
+import type { ScenarioFile } from '../scenario/types.ts';
+
+/** A built-in case: data for the page's gallery, the command line, documentation and tests. */
+export interface Case {
+  id: string;
+  title: string;
+  /** The figure or paper it reproduces, or empty. */
+  source: string;
+  /** Figures of the report that it reproduces, e.g. `Fig. 8 to 10`. */
+  figure?: string;
+  /** Section of the report. */
+  chapter?: string;
+  /** One line: what to look at. */
+  look: string;
+  scenario: ScenarioFile;
+  /** Numbers known from elsewhere, which the run meets within their tolerance. */
+  published?: readonly Published[];
+  /** What to plot; a figure of the report on its own axes. */
+  plots?: readonly CasePlot[];
+}
+
+export interface Published {
+  /** In words, e.g. `x at 5 s`. */
+  what: string;
+  measure: Measure;
+  value: number;
+  unit?: string;
+  tolerance: number;
+  /** Where the number comes from. */
+  source: string;
+}
+
+/**
+ * A number of a run; `column` as in `CaseColumns`, times in s (a whole run where they are left out).
+ *
+ * `end`: last value; `at`: value of the row at a time; `max`, `min`: over the rows from `from` to `to`;
+ * `diameter`: of the circle that fits the points (x, y) of the rows best, in the least-squares sense.
+ */
+export type Measure =
+  | { kind: 'end'; column: string }
+  | { kind: 'at'; column: string; time: number }
+  | { kind: 'max' | 'min'; column: string; from?: number; to?: number }
+  | { kind: 'diameter'; x: string; y: string; from?: number; to?: number };
+
+/** A plot of columns against a column, with the report's axes where it reproduces a figure. */
+export interface CasePlot {
+  title: string;
+  /** Column on the horizontal axis. */
+  x: string;
+  y: readonly string[];
+  /** Of the vertical axis; angles are recorded in rad and shown in what is named here. */
+  unit: 'deg' | 'rad' | 'm' | 'm/s' | 'rad/s' | 'N·m' | '1';
+  /** Where the figure's horizontal axis ends, if before the run. */
+  to?: number;
+  /** The same length on both axes shows as the same length. */
+  equal?: boolean;
+  /** A curve in closed form, an expression of t, drawn with them. */
+  exact?: { label: string; expression: string };
+}

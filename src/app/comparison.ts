@@ -11,6 +11,7 @@ export interface Contender {
   id: string;
   label: string;
   method: Partial<MethodOptions>;
+  outputStep?: number;
 }
 
 export interface Outcome {
@@ -77,7 +78,8 @@ export class Comparison {
     const proceed = (): void => this.next(client, file, metas);
     let scenario: Scenario;
     try {
-      scenario = checkScenario({ ...file, method: contender.method }, metas);
+      const { method, outputStep } = contender;
+      scenario = checkScenario({ ...file, method, ...(outputStep === undefined ? {} : { outputStep }) }, metas);
     } catch (error) {
       this.update(index, { state: 'refused', message: (error as Error).message });
       proceed();

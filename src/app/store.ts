@@ -82,7 +82,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     seek: (time) => void (state.time.value = clampTime(state, time)),
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
-    compare: (contenders) => comparison.start(state.draft.peek(), contenders, systemMetas),
+    compare: (contenders, scenario) => comparison.start(scenario ?? state.draft.peek(), contenders, systemMetas),
     report: (kind, title, details) => messages.add(kind, title, details),
   };
   return {

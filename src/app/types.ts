@@ -138,7 +138,8 @@ export interface AppActions {
   stepRows(rows: number): void;
   dismiss(messageId: number): void;
   /** Runs the draft with each of these methods. @throws ScenarioError when the draft itself can't run */
-  compare(contenders: readonly Contender[]): void;
+  /** Of the scenario in the panel, unless another is given. */
+  compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
   /** Tells the person something that happened outside the store. */
   report(kind: Message['kind'], title: string, details: readonly string[]): void;
 }

@@ -3,7 +3,7 @@ import { useComputed, useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Comparison, Outcome } from '../app/comparison.ts';
-import { otherMethods, reportMethods, type MethodChoice } from '../core/cases/methodSets.ts';
+import { methodSets, type MethodChoice, type MethodSet } from '../core/cases/methodSets.ts';
 import type { MethodOptions } from '../core/scenario/types.ts';
 import { useUi } from './context.ts';
 import { Check } from './controls.tsx';
@@ -26,8 +26,6 @@ export interface MethodsProps {
   savePicture(host: HTMLElement): void;
 }
 
-const COLUMNS = ['energy', 'residual', 'alpha_fp', 'alpha_bp', 'theta_fc', 'Z', 'X', 'Y'];
-
 export function MethodsDialog({ open, ...props }: MethodsProps & { open: Signal<boolean> }) {
   if (!open.value) return null;
   return (
@@ -37,14 +35,33 @@ export function MethodsDialog({ open, ...props }: MethodsProps & { open: Signal<
   );
 }
 
-function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
+function Methods(props: MethodsProps) {
+  const chosen = useSignal(methodSets[0]!);
+  const choose = (id: string) => {
+    props.comparison.stop();
+    props.comparison.outcomes.value = [];
+    chosen.value = methodSets.find((s) => s.id === id) ?? chosen.value;
+  };
+  return (
+    <>
+      <p><label>{text.methods.set} <select data-testid="methods-set" value={chosen.value.id} onChange={(e) => choose(e.currentTarget.value)}>
+        {methodSets.map((s) => <option key={s.id} value={s.id}>{s.label}</option>)}
+      </select></label></p>
+      <SetOfMethods key={chosen.value.id} {...props} set={chosen.value} />
+    </>
+  );
+}
+
+function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: MethodsProps & { set: MethodSet }) {
   const ui = useUi();
-  const all = [...reportMethods, ...otherMethods].filter(({ method }) =>
+  const all = set.choices.filter(({ method }) =>
     ui.methods.some((m) => m.id === method.name) && (method.formulation === undefined || ui.formulations.some((f) => f.id === method.formulation)),
   );
-  const chosen = useSignal<ReadonlySet<string>>(new Set(all.filter((c) => c.report || c.id === 'dopri5' || c.id === 'dop853').map((c) => c.id)));
+  const chosen = useSignal<ReadonlySet<string>>(new Set(set.chosen));
   const settings = useSignal<ReadonlyMap<string, Partial<MethodOptions>>>(new Map());
-  const column = useSignal('alpha_fp');
+  const { order, coordinates } = ui.app.systemOf(set.scenario?.system ?? ui.app.state.draft.value.system)!.meta;
+  const columns = [...(order === 1 ? [] : ['energy', 'residual']), ...coordinates.map((c) => c.name)];
+  const column = useSignal(columns.includes(set.column) ? set.column : coordinates[0]!.name);
   const projection = useSignal(true);
   const problem = useSignal('');
   const busy = useComputed(() => comparison.busy);
@@ -55,7 +72,7 @@ function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
       const contenders = all.filter((c) => chosen.value.has(c.id)).map((c) => ({
         ...c, method: { ...c.method, ...settings.value.get(c.id), ...(projection.value ? {} : { projection: false }) },
       }));
-      ui.app.actions.compare(contenders);
+      ui.app.actions.compare(contenders, set.scenario);
     } catch (error) {
       problem.value = (error as Error).message;
     }
@@ -65,7 +82,7 @@ function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
   };
   return (
     <div class="methods">
-      <p>{text.methods.about(ui.origin.value?.title ?? text.top.ownScenario)}</p>
+      <p>{set.scenario ? text.methods.aboutSet(set.label) : text.methods.about(ui.origin.value?.title ?? text.top.ownScenario)}</p>
       <div class="methods-table">
         <table data-testid="methods-table">
           <thead>
@@ -85,7 +102,7 @@ function Methods({ comparison, plot, saveTable, savePicture }: MethodsProps) {
         <button type="button" class="primary" data-testid="methods-run" disabled={busy.value || chosen.value.size === 0} onClick={start}>{text.methods.run}</button>
         <button type="button" data-testid="methods-cancel" disabled={!busy.value} onClick={() => comparison.stop()}>{text.panel.cancel}</button>
         <label>{text.methods.curve} <select data-testid="methods-column" value={column.value} onChange={(e) => { column.value = e.currentTarget.value; }}>
-          {COLUMNS.map((c) => <option key={c} value={c}>{c}</option>)}
+          {columns.map((c) => <option key={c} value={c}>{c}</option>)}
         </select></label>
         <Check label={text.methods.projection} checked={projection.value} testId="methods-projection" onChange={(on) => { projection.value = on; }} />
         <span class="spring" />

@@ -1,10 +1,12 @@
-import type { MethodOptions } from '../scenario/types.ts';
+import type { MethodOptions, ScenarioFile } from '../scenario/types.ts';
 
 /** Named choices for comparing methods: the report's four, and those beside them. */
 export interface MethodChoice {
   id: string;
   label: string;
   method: Partial<MethodOptions>;
+  /** Rows of its curve where the scenario's would hide the method's steps, s. */
+  outputStep?: number;
   /** What the report's Table 1 has for it: computation and output time, s. */
   report?: { seconds: number; reached: number; reconfigurability: string };
 }
@@ -26,4 +28,33 @@ export const otherMethods: readonly MethodChoice[] = [
   { id: 'rk4', label: 'Runge–Kutta 4, fixed', method: { name: 'rk4', step: 0.001 } },
   { id: 'adams-moulton', label: 'Adams–Moulton, fixed', method: { name: 'adams-moulton', step: 0.001 } },
   { id: 'euler', label: 'Euler, fixed', method: { name: 'euler', step: 0.0005 } },
+];
+
+/** A comparison ready to run: methods, which of them to begin with, and what to draw. */
+export interface MethodSet {
+  id: string;
+  label: string;
+  choices: readonly MethodChoice[];
+  /** Ids of the choices that are ticked to begin with. */
+  chosen: readonly string[];
+  /** Column of the first curve. */
+  column: string;
+  /** What is run; the scenario in the panel where it is absent. */
+  scenario?: ScenarioFile;
+}
+
+/** Curves of the report's Fig. 13, each with a row per step; the exact ones are those of a method of order 8 at its finest. */
+const figure13: readonly MethodChoice[] = [
+  { id: 'euler-4', label: 'Euler, h = 1/4', method: { name: 'euler', step: 1 / 4 }, outputStep: 1 / 4 },
+  { id: 'euler-8', label: 'Euler, h = 1/8', method: { name: 'euler', step: 1 / 8 }, outputStep: 1 / 8 },
+  { id: 'adams-moulton-8', label: 'Adams–Moulton, h = 1/8', method: { name: 'adams-moulton', step: 1 / 8 }, outputStep: 1 / 8 },
+  { id: 'exact', label: 'Exact (DOP853, 1e-12)', method: { name: 'dop853', rtol: 1e-12, atol: 1e-12 } },
+];
+
+export const methodSets: readonly MethodSet[] = [
+  { id: 'panel', label: 'Scenario in the panel', choices: [...reportMethods, ...otherMethods], chosen: ['qr', 'collocation', 'ida', 'blt', 'dopri5', 'dop853'], column: 'alpha_fp' },
+  {
+    id: 'figure-13', label: 'Fig. 13: a stiff equation', choices: figure13, chosen: figure13.map((c) => c.id), column: 'y',
+    scenario: { version: 1, system: 'stiff-decay', duration: 1, outputStep: 0.005 },
+  },
 ];

@@ -3,12 +3,16 @@ import { defineConfig } from 'vitest/config';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
+/** A system's dynamics are a file named after it, so that sizes and network logs can be read. */
+const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): string =>
+  `assets/${/systems\/([\w-]+)\/system\.ts$/.exec(facadeModuleId ?? '')?.[1] ?? '[name]'}-[hash].js`;
+
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500 },
-  worker: { format: 'es' },
+  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, rolldownOptions: { output: { chunkFileNames } } },
+  worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },
   test: {
     include: ['tests/**/*.test.{ts,tsx}'], // tests/e2e holds *.spec.ts, for Playwright
     environment: 'node',

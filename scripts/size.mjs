@@ -9,8 +9,10 @@ import { Plain, main, root } from './setup.mjs';
 const LIMIT_KB = 400;
 const dist = join(root, 'dist');
 
-/** The scene, so that the panel need not wait for it, and the worker that computes the first motion. */
+/** The scene, so that the panel need not wait for it, and the worker that computes the first motion with its system. */
 const AT_ONCE = /^(scene|run\.worker)-/;
+/** What that worker loads for the first case. */
+const FIRST_SYSTEM = /\bripstik-[\w-]+\.js/;
 
 /** `import … from './x.js'`, `import './x.js'` and `export … from './x.js'`, also minified; not `import('./x.js')`. */
 const STATIC = /(?:^|[;}\s])(?:import|export)\b[\w$*{},\s]*["'](\.[^"']+\.js)["']/g;
@@ -21,6 +23,10 @@ function firstView() {
   const files = new Set();
   const atOnce = readdirSync(join(dist, 'assets')).filter((name) => AT_ONCE.test(name) && name.endsWith('.js'));
   if (atOnce.length < 2) throw new Plain('the scene or the run worker is missing from dist/assets.');
+  const worker = atOnce.find((name) => name.startsWith('run.worker'));
+  const system = FIRST_SYSTEM.exec(readFileSync(join(dist, 'assets', worker), 'utf8'));
+  if (!system) throw new Plain(`${worker} names no file of the first system.`);
+  atOnce.push(system[0]);
   const queue = [...named.map((path) => join(dist, path)), ...atOnce.map((name) => join(dist, 'assets', name))];
   for (let file = queue.pop(); file; file = queue.pop()) {
     if (files.has(file) || !existsSync(file)) continue;

@@ -21,7 +21,8 @@ export interface FinishedRun {
 /** Runs a scenario file to its end, with all extra columns. */
 export function runOf(raw: unknown): FinishedRun {
   const scenario = scenarioOf(raw);
-  const simulation = new Simulation(scenario, systems[scenario.system]!, ['lambda', 'energy', 'residual', 'inputs'], undefined, feedbackOf);
+  const system = systems[scenario.system]!;
+  const simulation = new Simulation(scenario, system, { extras: ['lambda', 'energy', 'residual', 'inputs'], feedback: feedbackOf(scenario, system) });
   simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();
   return {

@@ -13,6 +13,6 @@ export function mechanicsOf(raw: unknown, forcing?: Forcing) {
   const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
   const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
   const { q, v } = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
-  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing ?? actuationOf(scenario, system).forcing);
+  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing ?? actuationOf(scenario, system.meta).forcing);
   return { scenario, dynamics, q, v, n: dynamics.n };
 }

@@ -17,7 +17,7 @@ export interface PointReport {
 
 /** State after the consistent start, with accelerations, multipliers, the free system's mass matrix, energies, body positions. */
 export function point(scenario: Scenario, system: System): PointReport {
-  const { q, v, dynamics } = new Simulation(scenario, system, scenario.columns, undefined, feedbackOf);
+  const { q, v, dynamics } = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system) });
   const n = q.length;
   const acceleration = new Float64Array(n);
   const multipliers = new Float64Array(dynamics.m);

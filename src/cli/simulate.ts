@@ -14,7 +14,7 @@ const ROWS_PER_WRITE = 4096;
  * @returns 0, or 3 when the run stopped before its duration (the reason goes to standard error)
  */
 export function simulate(scenario: Scenario, system: System, out: string | undefined): number {
-  const simulation = new Simulation(scenario, system, scenario.columns, undefined, feedbackOf);
+  const simulation = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system) });
   for (const { name, from, to } of simulation.adjustments) process.stderr.write(`start: ${name} ${from} -> ${to}\n`);
   for (const note of simulation.notes) process.stderr.write(`start: ${note}\n`);
   const file = open(out);

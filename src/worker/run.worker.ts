@@ -1,8 +1,6 @@
-import type { FeedbackDesign } from '../core/dynamics/forcing.ts';
-import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
+import { ScenarioError } from '../core/scenario/types.ts';
 import { EXTRA_COLUMNS, Simulation } from '../core/simulation/simulation.ts';
-import { ripstik } from '../core/systems/ripstik/system.ts';
-import type { System } from '../core/systems/types.ts';
+import { loadSystem } from '../core/systems/loaders.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
 
 /** Computing time between looks at the mailbox: a cancel is answered well within 100 ms. */
@@ -13,52 +11,45 @@ const SEND_MS = 30;
 const post = (message: FromWorker, transfer: Transferable[] = []): void => self.postMessage(message, { transfer });
 
 let current: { run: number; simulation: Simulation } | null = null;
-/** The run that was asked for last; what it needs may still be on its way when it is cancelled. */
-let asked = { run: 0, cancelled: false };
+/** The run asked for last, and whether it was cancelled before it had begun. */
+let wanted = 0;
+let cancelled = false;
 /** Time spent in `advance` by the current run, s. */
 let seconds = 0;
 
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
   if (data.type === 'cancel') {
-    if (asked.run === data.run) asked.cancelled = true;
-    if (current?.run === data.run) finish(current.simulation, data.run, 'cancelled', 'cancelled; what was computed is kept');
+    if (current?.run === data.run) finishCancelled(current.simulation, data.run);
+    else if (wanted === data.run) cancelled = true;
     return;
   }
+  wanted = data.run;
+  cancelled = false;
+  current = null;
   void start(data);
 });
 
 async function start({ run, scenario, from }: Extract<ToWorker, { type: 'start' }>): Promise<void> {
-  const request = (asked = { run, cancelled: false });
-  current = null;
   try {
-    const system = scenario.system === 'ripstik' ? ripstik : await systemOf(scenario);
-    const design = scenario.control?.type === 'lqr' ? await designOf() : undefined;
-    if (asked !== request) return;
-    const simulation = new Simulation(scenario, system, EXTRA_COLUMNS, from, design);
+    const system = await loadSystem(scenario.system);
+    if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
+    // The design of a controller is loaded by those runs that have one.
+    const feedback = scenario.control?.type === 'lqr' ? (await import('../core/control/feedback.ts')).feedbackOf(scenario, system) : null;
+    if (wanted !== run) return;
+    const simulation = new Simulation(scenario, system, { extras: EXTRA_COLUMNS, from, feedback });
     seconds = 0;
     current = { run, simulation };
     post({ type: 'started', run, columns: [...simulation.columns], adjustments: [...simulation.adjustments], notes: [...simulation.notes] });
-    if (request.cancelled) finish(simulation, run, 'cancelled', 'cancelled; what was computed is kept');
+    if (cancelled) finishCancelled(simulation, run);
     else compute(run, simulation, performance.now());
   } catch (error) {
-    if (asked !== request) return;
-    current = null;
+    if (wanted === run) current = null;
     const path = error instanceof ScenarioError ? error.path : '';
     post({ type: 'refused', run, path, message: error instanceof Error ? error.message : String(error) });
   }
 }
 
-/** The first view pays for the board alone; other systems, and what designs controllers, come when they are asked for. */
-async function systemOf(scenario: Scenario): Promise<System> {
-  const { systems } = await import('../core/systems/registry.ts');
-  const system = systems[scenario.system];
-  if (!system) throw new ScenarioError('system', `unknown system "${scenario.system}"`);
-  return system;
-}
-
-async function designOf(): Promise<FeedbackDesign> {
-  return (await import('../core/control/feedback.ts')).feedbackOf;
-}
+const finishCancelled = (simulation: Simulation, run: number): void => finish(simulation, run, 'cancelled', 'cancelled; what was computed is kept');
 
 /** One slice of computing, then a turn of the event loop, until the run ends or another takes its place. */
 function compute(run: number, simulation: Simulation, lastSent: number): void {

@@ -43,7 +43,7 @@ function dynamicsOf({ constraints, hold, extra }: (typeof setups)[number]): Cons
   const scenario = scenarioOf({ version: 1, system: 'ripstik', constraints, hold, ...extra });
   const p = Float64Array.from(system.meta.parameters, (m) => scenario.parameters[m.name]!);
   const held = hold.map((name) => coordinates.findIndex((c) => c.name === name));
-  return new ConstrainedSystem(system, p, constraints, held, actuationOf(scenario, system).forcing);
+  return new ConstrainedSystem(system, p, constraints, held, actuationOf(scenario, system.meta).forcing);
 }
 
 /** A state on the constraints; from far away one projection's fixed factors don't get there. */

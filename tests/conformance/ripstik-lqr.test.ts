@@ -150,6 +150,17 @@ describe('recovery by steering alone', () => {
     }
   });
 
+  test.each([
+    [0.15, 'end'],
+    [0.6, 'touchdown'],
+  ])('pushed by two Gaussians of %f N·m on both plates: %s', (size, reason) => {
+    const push = `${size}*exp(-10*(t-2)^2) - ${size}*exp(-10*(t-6)^2)`;
+    const scenario = board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } }, { initial: { X_dot: 1 }, duration: 12 });
+    const run = runOf({ ...scenario, inputs: { tau_fp: push, tau_bp: push }, method: { rtol: 1e-6 } });
+    expect(run.end.reason).toBe(reason);
+    if (reason === 'end') expect(upright(run)).toBeLessThan(0.01);
+  });
+
   test('an implicit method with exact Jacobians gives the same run', () => {
     const scenario = board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } }, { initial: lean, duration: 1 });
     const [a, b] = ['dopri5', 'radau'].map((name) => runOf({ ...scenario, method: { name, rtol: 1e-9, atol: 1e-11 } }));

@@ -1,4 +1,5 @@
 import { lqrOf } from './scenarioControl.ts';
+import type { Feedback } from '../dynamics/forcing.ts';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 
@@ -6,7 +7,7 @@ import type { System } from '../systems/types.ts';
  * State feedback `u = -K (x - x_ref(t))`, x_ref(t) = (q0 + v0 t, v0): what one input of the controller asks.
  * Saturation at `limit`; nothing is allocated.
  */
-export class StateFeedback {
+export class StateFeedback implements Feedback {
   private readonly gainQ: Float64Array;
   private readonly gainV: Float64Array;
   private readonly q0: Float64Array;
@@ -48,11 +49,12 @@ export class StateFeedback {
   }
 }
 
-/** The scenario's lqr, by input. @throws ScenarioError where there is no such design */
-export function feedbackOf(scenario: Scenario, system: System): Map<string, StateFeedback> {
+/** The scenario's lqr, by input; null where it has none. @throws ScenarioError where there is no such design */
+export function feedbackOf(scenario: Scenario, system: System): Map<string, StateFeedback> | null {
+  if (scenario.control?.type !== 'lqr') return null;
   const { linearization, gain } = lqrOf(scenario, system);
   const { q, v } = linearization.motion;
-  const limits = scenario.control?.limits ?? {};
+  const limits = scenario.control.limits ?? {};
   return new Map(
     linearization.inputs.map((name, k) => [name, new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity))]),
   );

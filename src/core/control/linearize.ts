@@ -5,7 +5,8 @@ import { besides, columnSpace, ControlError, fromRowMajor, maxDifference, solveL
 import type { SteadyMotion } from './steadyMotion.ts';
 
 /**
- * `x' = A x + B u` for deviations x = (coordinates, velocities) from a steady motion, with exact derivatives.
+ * `x' = A x + B u` for deviations x = (coordinates, velocities) from a steady motion, with exact derivatives. Of a system
+ * of first order x is the coordinates alone, and A is n x n.
  *
  * Symbols: n coordinates, m constraint rows, M mass matrix, K = d(M a - h)/dq - d(Omega^T lambda0)/dq and
  * D = d(M a - h)/dv at a = 0, C = d(Omega v0)/dq, G the rows of Omega that are gradients of heights, T an orthonormal
@@ -44,6 +45,7 @@ interface Pieces {
 
 /** Order (a): the multipliers are eliminated, then the accelerations are differentiated. */
 export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const { dynamics: d, q, v } = motion;
   const n = d.n;
   const jacobian = new AccelerationJacobian(d);
@@ -62,14 +64,26 @@ export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): L
 
 /** Order (b): the equations with multipliers are differentiated, the force's d(Omega^T lambda0)/dq kept, then eliminated. */
 export function linearizeWithMultipliers(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
   return eliminated(motion, inputs, { ...p, stiffness: Matrix.sub(p.stiffness, p.forceQ) });
 }
 
 /** Order (c), Yang's commutation: Omega is frozen at its value, so neither the force's derivative nor C is there. */
 export function linearizeFrozen(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
+  if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
   return eliminated(motion, inputs, { ...p, C: Matrix.zeros(p.C.rows, p.C.columns) });
+}
+
+/** `q' = f(q)`: no constraints, no inputs, one order. */
+function ofFirstOrder(motion: SteadyMotion): Linearization {
+  const { dynamics: { system, parameters, n }, q } = motion;
+  const data = new Float64Array(n * n);
+  system.firstOrder!.jacobian(q, parameters, data);
+  const [A, B] = [fromRowMajor(data, n, n), new Matrix(n, 0)];
+  const states = system.meta.coordinates.map((c) => c.name);
+  return { motion, states, inputs: [], A, B, basis: Matrix.eye(n), tangentA: A, tangentB: B, inputSizes: [] };
 }
 
 /** All three orders at one motion. */

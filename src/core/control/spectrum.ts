@@ -108,14 +108,16 @@ const VISIBLE = 0.01;
 export function modesOf(A: Matrix, toStates: Matrix, states: readonly string[], scale = norm(A)): Mode[] {
   if (A.rows === 0) return [];
   const { zero, rest, restA } = splitZeros(A, scale);
+  // A system of first order has no rates among its states.
+  const coordinateCount = states.at(-1)!.endsWith('_dot') ? states.length / 2 : states.length;
   const modes: Mode[] = [];
   if (zero.columns > 0) {
     for (const shape of echelon(toStates.mmul(zero))) modes.push({ eigenvalue: [0, 0], moves: movers(shape, states), shape });
   }
   for (const { value, re, im } of eigenvectors(A, restA, zero, rest)) {
-    const shape = atLargestPhase(toStates.mmul(re), toStates.mmul(im));
+    const shape = atLargestPhase(toStates.mmul(re), toStates.mmul(im), coordinateCount);
     // Rates are the eigenvalue times the coordinates: they say nothing more.
-    const coordinates = shape.map((x, i) => (i < states.length / 2 ? x : 0));
+    const coordinates = shape.map((x, i) => (i < coordinateCount ? x : 0));
     modes.push({ eigenvalue: undamped(value, scale), moves: movers(coordinates, states), shape });
   }
   return modes.sort((a, b) => byParts(a.eigenvalue, b.eigenvalue));
@@ -159,10 +161,10 @@ function lift(A: Matrix, zero: Matrix, rest: Matrix, [a, b]: Complex, re: Matrix
 }
 
 /** A complex shape turned so that its largest coordinate is 1 (its rates are the eigenvalue times that). */
-function atLargestPhase(re: Matrix, im: Matrix): number[] {
+function atLargestPhase(re: Matrix, im: Matrix, coordinateCount: number): number[] {
   let best = 0;
   const size = (i: number): number => Math.hypot(re.get(i, 0), im.get(i, 0));
-  for (let i = 0; i < re.rows / 2; i++) if (size(i) > size(best)) best = i;
+  for (let i = 0; i < coordinateCount; i++) if (size(i) > size(best)) best = i;
   const [a, b] = [re.get(best, 0), im.get(best, 0)];
   const square = a * a + b * b;
   return Array.from({ length: re.rows }, (_, i) => (re.get(i, 0) * a + im.get(i, 0) * b) / square);

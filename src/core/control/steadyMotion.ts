@@ -54,9 +54,23 @@ export function steadyMotionAt(plant: Plant, at: Readonly<Record<string, number>
   for (let i = 0; i < v.length; i++) if (Math.abs(v[i]!) <= MOVES * largest) v[i] = 0;
   const dynamics = new ConstrainedSystem(system, parameters, constraints, hold, null);
   const names = system.meta.coordinates.map((c) => c.name);
+  if (system.firstOrder) checkStill(system, parameters, q, v, names);
   const lambda = restingMultipliers(dynamics, q, v, names);
   checkCyclic(dynamics, q, v, names);
   return { dynamics, q, v, lambda, moving: names.filter((_, i) => v[i] !== 0), adjustments };
+}
+
+/** Of a system of first order only a rest is steady: its velocities are no states. */
+function checkStill(system: System, parameters: Float64Array, q: Float64Array, v: Float64Array, names: readonly string[]): void {
+  const rate = new Float64Array(q.length);
+  system.firstOrder!.rate(q, parameters, rate);
+  const moving = [...rate.keys()].filter((i) => !(Math.abs(rate[i]!) <= STILL));
+  if (moving.length > 0) throw new ControlError(refusal(moving.map((i) => `${names[i]!} by ${Number(rate[i]!.toPrecision(3))} per second`)));
+  v.fill(0);
+}
+
+function refusal(rates: readonly string[]): string {
+  return `this is no steady motion: without inputs it would change ${rates.join(', ')}; name a rest or a straight, steady motion`;
 }
 
 /** The multipliers of the motion; refuses one that accelerates. */
@@ -69,9 +83,7 @@ function restingMultipliers(d: ConstrainedSystem, q: Float64Array, v: Float64Arr
   if (bodies.acceleration(0, q, v, free, new Float64Array(0)) && maxAbs(a) <= STILL * Math.max(1, maxAbs(free))) return lambda;
   const worst = [...a.keys()].sort((i, k) => Math.abs(a[k]!) - Math.abs(a[i]!)).filter((i) => Math.abs(a[i]!) > 0.01 * maxAbs(a));
   const rates = worst.slice(0, 3).map((i) => `${names[i]!}_dot by ${Number(a[i]!.toPrecision(3))} per second`);
-  throw new ControlError(
-    `this is no steady motion: without inputs it would change ${rates.join(', ')}; name a rest or a straight, steady motion`,
-  );
+  throw new ControlError(refusal(rates));
 }
 
 /** Refuses a motion whose equations change as it goes on. */

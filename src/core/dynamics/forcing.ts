@@ -1,6 +1,6 @@
 import { compileExpression } from '../scenario/expressions.ts';
 import type { Scenario, TrackControl } from '../scenario/types.ts';
-import type { InputMeta, System, SystemMeta } from '../systems/types.ts';
+import type { InputMeta, SystemMeta } from '../systems/types.ts';
 import type { Forcing } from './constrainedSystem.ts';
 import { inputsOf } from './inputs.ts';
 
@@ -16,25 +16,23 @@ export interface Actuation {
   values(t: number, q: Float64Array, v: Float64Array, out: Float64Array): void;
 }
 
-/** One input as it goes: open loop, closed loop or both. */
-export interface Signal {
+/** What a controller asks of one input, from the state. */
+export interface Feedback {
   value(t: number, q: Float64Array, v: Float64Array): number;
-  /** Adds its derivatives by q and by v, times `weight`, onto a row (n entries from `row` on) of each; absent where it does not react. */
-  addSlopes?(t: number, q: Float64Array, v: Float64Array, weight: number, row: number, forceQ: Float64Array, forceV: Float64Array): void;
+  /** Adds its derivatives by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
+  addSlopes(t: number, q: Float64Array, v: Float64Array, weight: number, row: number, forceQ: Float64Array, forceV: Float64Array): void;
 }
 
-/** What designs a scenario's state feedback, by input: `feedbackOf` of `control`, which is large, so whoever runs a scenario brings it. */
-export type FeedbackDesign = (scenario: Scenario, system: System) => ReadonlyMap<string, Signal>;
+/** One input as it goes: open loop, closed loop or both; what does not react to the state has no slopes. */
+type Signal = Pick<Feedback, 'value'> & Partial<Pick<Feedback, 'addSlopes'>>;
 
 /**
  * Binds a scenario's open-loop inputs and controller.
- * @throws ScenarioError for a controller that can't be had
+ * @param feedback an lqr's state feedback by input; its design is no part of a run (`control/feedback.ts`)
  */
-export function actuationOf(scenario: Scenario, system: System, design?: FeedbackDesign): Actuation {
-  const { meta } = system;
+export function actuationOf(scenario: Scenario, meta: SystemMeta, feedback: ReadonlyMap<string, Feedback> | null = null): Actuation {
   const { control } = scenario;
-  if (control?.type === 'lqr' && !design) throw new Error('a scenario with an LQR needs a design of its feedback');
-  const feedback = control?.type === 'lqr' ? design!(scenario, system) : null;
+  if (control?.type === 'lqr' && !feedback) throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
     const closed: Signal | null = control?.type === 'track' ? tracking(control, input, meta) : (feedback?.get(input.name) ?? null);

@@ -1,7 +1,7 @@
 import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
 import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../dynamics/events.ts';
-import { actuationOf, type Actuation, type FeedbackDesign } from '../dynamics/forcing.ts';
+import { actuationOf, type Actuation, type Feedback } from '../dynamics/forcing.ts';
 import type { StateMap } from '../dynamics/formulations/contract.ts';
 import { Projection } from '../dynamics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
@@ -26,6 +26,16 @@ export interface RunCounts {
   energyDrift: number;
   /** Largest constraint residual of an emitted row. */
   residual: number;
+}
+
+/** What a run may be given besides its scenario. */
+export interface RunOptions {
+  /** Extra columns, in place of the scenario's. */
+  extras?: readonly string[];
+  /** Goes on from there, with the row after it, in place of a consistent start at t = 0. */
+  from?: Continuation | undefined;
+  /** State feedback by input: what an `lqr` in the scenario asks (see `feedbackOf`). */
+  feedback?: ReadonlyMap<string, Feedback> | null;
 }
 
 /** A row of an earlier run to go on from: `time` is a multiple of the output step, q and v as in that row. */
@@ -91,18 +101,14 @@ export class Simulation {
   private largestKinetic = 0;
   private largestResidual = 0;
 
-  /**
-   * @param from goes on from there, with the row after it, in place of a consistent start at t = 0
-   * @param design of the feedback that an `lqr` scenario asks for; others need none
-   */
-  constructor(scenario: Scenario, system: System, extras: readonly string[] = scenario.columns, from?: Continuation, design?: FeedbackDesign) {
+  constructor(scenario: Scenario, system: System, { extras = scenario.columns, from, feedback = null }: RunOptions = {}) {
     this.scenario = scenario;
     this.system = system;
     const { meta } = system;
     const n = (this.n = meta.coordinates.length);
     const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
-    this.actuation = actuationOf(scenario, system, design);
+    this.actuation = actuationOf(scenario, meta, feedback);
     const start = from
       ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);

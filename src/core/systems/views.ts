@@ -7,7 +7,7 @@ import { rollingWheelView } from './rolling-wheel/view.ts';
 import { stiffDecayView } from './stiff-decay/view.ts';
 import { wheelPendulumView } from './wheel-pendulum/view.ts';
 
-/** Every system as the views know it; one line per system here and in `registry.ts`. */
+/** Every system as the views know it; one line per system here and in `loaders.ts`. */
 export const systemViews: Readonly<Record<string, SystemView>> = {
   ripstik: ripstikView,
   'caster-rotation': casterRotationView,

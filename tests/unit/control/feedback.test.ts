@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { StateFeedback } from '../../../src/core/control/feedback.ts';
+import { feedbackOf, StateFeedback } from '../../../src/core/control/feedback.ts';
 import { actuationOf } from '../../../src/core/dynamics/forcing.ts';
 import { systems } from '../../../src/core/systems/registry.ts';
 import { scenarioOf, seeded } from '../../helpers.ts';
@@ -32,7 +32,7 @@ describe.each([
 ])('%s', (_, control) => {
   test('the derivatives of the forces are exact', () => {
     const scenario = scenarioOf({ version: 1, system: 'ripstik', control, inputs: { tau_fp: 'sin(t)' } });
-    const { forcing } = actuationOf(scenario, systems['ripstik']!);
+    const { forcing } = actuationOf(scenario, systems['ripstik']!.meta, feedbackOf(scenario, systems['ripstik']!));
     const random = seeded(41);
     const t = 0.7;
     const q = Float64Array.from({ length: 10 }, () => 0.05 * (random() - 0.5));

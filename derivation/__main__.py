@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from . import (cart_pendulum, caster_rotation, casterboard_robot, generate, ripstik, rolling_wheel, stiff_decay,
+from . import (cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, rolling_wheel, stiff_decay,
                wheel_pendulum)
 
 SYSTEMS = {
@@ -18,6 +18,7 @@ SYSTEMS = {
     "rolling-wheel": rolling_wheel,
     "wheel-pendulum": wheel_pendulum,
     "casterboard-robot": casterboard_robot,
+    "chaplygin-sleigh": chaplygin_sleigh,
 }
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -25,7 +25,7 @@ export function simulate(scenario: Scenario, system: System, out: string | undef
       const { columns, rows } = simulation.takeChunk();
       if (rows === 0 && !header) continue;
       const text = writeCsv(simulation.columns, columns);
-      writeSync(file, header ? text : text.slice(text.indexOf('\n') + 1));
+      writeAll(file, header ? text : text.slice(text.indexOf('\n') + 1));
       header = false;
     }
   } finally {
@@ -35,6 +35,20 @@ export function simulate(scenario: Scenario, system: System, out: string | undef
   if (reason === 'end') return 0;
   process.stderr.write(`ripstik: stopped early: ${message}\n`);
   return 3;
+}
+
+/** A pipe takes what it has room for, and may have none just now. */
+function writeAll(file: number, text: string): void {
+  const bytes = Buffer.from(text);
+  const pause = new Int32Array(new SharedArrayBuffer(4));
+  for (let at = 0; at < bytes.length; ) {
+    try {
+      at += writeSync(file, bytes, at);
+    } catch (error) {
+      if ((error as NodeJS.ErrnoException).code !== 'EAGAIN') throw error;
+      Atomics.wait(pause, 0, 0, 1);
+    }
+  }
 }
 
 function open(out: string | undefined): number {

@@ -160,6 +160,16 @@ describe('what is shown is what is simulated', () => {
     }
   });
 
+  test("the sleigh's blade stands on the ground at the origin, its mass a ahead of it (behind, if a is negative)", () => {
+    for (const a of [0.1, 0.5, -0.2]) {
+      const blade = boundsOf('chaplygin-sleigh', { a }, 'sleigh', 'blade');
+      expect(Math.abs(blade.min.z)).toBeLessThan(1e-4);
+      expect(blade.min.x).toBeCloseTo(-blade.max.x, 4);
+      expect(boundsOf('chaplygin-sleigh', { a }, 'sleigh', 'mass').getCenter(new Vector3()).x).toBeCloseTo(a, 4);
+      expect(Math.abs(boundsOf('chaplygin-sleigh', { a }, 'sleigh', 'feet').min.z)).toBeLessThan(1e-4);
+    }
+  });
+
   test('one mark of the scale is the height 1, one is 0', () => {
     const { min, max } = boundsOf('stiff-decay', {}, 'scale', 'marks');
     expect([min.z, max.z]).toEqual([expect.closeTo(-1, 1), expect.closeTo(1, 1)]);

@@ -2,6 +2,7 @@ import type { Case } from './case.ts';
 import { cartPendulumCases } from './cartPendulum.ts';
 import { casterRotationCases } from './casterRotation.ts';
 import { casterboardRobotCases } from './casterboardRobot.ts';
+import { chaplyginSleighCases } from './chaplyginSleigh.ts';
 import { ripstikCases } from './ripstik.ts';
 import { rollingWheelCases } from './rollingWheel.ts';
 import { stiffDecayCases } from './stiffDecay.ts';
@@ -18,4 +19,5 @@ export const cases: readonly Case[] = [
   ...stiffDecayCases,
   ...wheelPendulumCases,
   ...casterboardRobotCases,
+  ...chaplyginSleighCases,
 ];

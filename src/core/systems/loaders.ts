@@ -9,6 +9,7 @@ const loaders: Readonly<Record<string, () => Promise<System>>> = {
   'stiff-decay': async () => (await import('./stiff-decay/system.ts')).stiffDecay,
   'wheel-pendulum': async () => (await import('./wheel-pendulum/system.ts')).wheelPendulum,
   'casterboard-robot': async () => (await import('./casterboard-robot/system.ts')).casterboardRobot,
+  'chaplygin-sleigh': async () => (await import('./chaplygin-sleigh/system.ts')).chaplyginSleigh,
 };
 
 export const systemIds: readonly string[] = Object.keys(loaders);

@@ -2,6 +2,7 @@ import type { SystemView } from './types.ts';
 import { cartPendulumView } from './cart-pendulum/view.ts';
 import { casterRotationView } from './caster-rotation/view.ts';
 import { casterboardRobotView } from './casterboard-robot/view.ts';
+import { chaplyginSleighView } from './chaplygin-sleigh/view.ts';
 import { ripstikView } from './ripstik/view.ts';
 import { rollingWheelView } from './rolling-wheel/view.ts';
 import { stiffDecayView } from './stiff-decay/view.ts';
@@ -16,4 +17,5 @@ export const systemViews: Readonly<Record<string, SystemView>> = {
   'stiff-decay': stiffDecayView,
   'wheel-pendulum': wheelPendulumView,
   'casterboard-robot': casterboardRobotView,
+  'chaplygin-sleigh': chaplyginSleighView,
 };

@@ -1,0 +1,27 @@
+import type { SystemMeta } from '../types.ts';
+
+/** A body on a blade that does not slip sideways, its centre of mass ahead of the blade (or behind, with a < 0). */
+export const chaplyginSleighMeta = {
+  id: 'chaplygin-sleigh',
+  title: 'Chaplygin sleigh',
+  coordinates: [
+    { name: 'x', symbol: 'x', label: 'blade, forward', kind: 'length', part: 'board' },
+    { name: 'y', symbol: 'y', label: 'blade, to the left', kind: 'length', part: 'board' },
+    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'front' },
+  ],
+  parameters: [
+    { name: 'mass', symbol: 'm', label: 'mass', unit: 'kg', default: 1, positive: true, group: 'Sleigh' },
+    { name: 'a', symbol: 'a', label: 'centre of mass ahead of the blade', unit: 'm', default: 0.2, group: 'Sleigh' },
+    { name: 'inertia', symbol: 'I', label: 'inertia about the centre of mass', unit: 'kg·m²', default: 0.05, positive: true, group: 'Sleigh' },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion' },
+  ],
+  parameterSets: {},
+  constraintSets: [
+    { id: 'rolling', label: 'Blade: no motion across its heading' },
+    { id: 'none', label: 'None: free to slide' },
+  ],
+  inputs: [
+    { name: 'tau_theta', symbol: 'τ_θ', label: 'turning torque', unit: 'N·m', column: { theta: 1 }, tracks: ['theta'] },
+  ],
+  bodies: [{ id: 'sleigh', label: 'sleigh', part: 'board' }],
+} as const satisfies SystemMeta;

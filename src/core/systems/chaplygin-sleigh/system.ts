@@ -1,0 +1,12 @@
+import { rollingRows } from '../rollingRows.ts';
+import type { System } from '../types.ts';
+import * as equations from './equations.generated.ts';
+import { chaplyginSleighView } from './view.ts';
+
+export const chaplyginSleigh: System = {
+  ...chaplyginSleighView,
+  mechanics: equations.mechanics,
+  jacobians: equations.jacobians,
+  energy: equations.energy,
+  constraintSets: { rolling: rollingRows(equations, 1) },
+};

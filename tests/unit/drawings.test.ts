@@ -1,10 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import { Box3, type Group, Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import { drawingOf } from '../../src/core/models/drawings.ts';
 import { modelsOf } from '../../src/core/models/roster.ts';
-import { ball, box, pipe, torus, tube } from '../../src/core/models/solids.ts';
+import { along, ball, box, pipe, torus, tube } from '../../src/core/models/solids.ts';
 import type { Triangle } from '../../src/core/models/shapes.ts';
-import { along } from '../../src/core/models/solids.ts';
 import { spokedWheel } from '../../src/core/models/wheels.ts';
 import type { SystemMeta } from '../../src/core/systems/types.ts';
 import { systemViews } from '../../src/core/systems/views.ts';

@@ -114,7 +114,10 @@ function forkParts(l: Layout): Part[] {
 
 const shifted = (parts: readonly Part[], origin: Vec3): Part[] => parts.map((part) => ({ ...part, triangles: moved(part.triangles, scale(origin, -1)) }));
 
-/** A bicycle with its rider: two wheels, frame, fork. */
+/**
+ * A bicycle with its rider: two wheels, frame, fork. Both frames are drawn as they stand upright with the steer at zero,
+ * x forward and z up: the rear one from the rear hub, the front one from the front hub.
+ */
 export function bicycle(p: Value): Sketch {
   const layout = layoutOf(p);
   const wheel = (radius: number): Part[] => spokedWheel({ radius, halfWidth: 0.018 * layout.w, spokes: 16, spokeRadius: 0.003 * layout.w });

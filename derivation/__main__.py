@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from . import (cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, rolling_wheel, stiff_decay,
+from . import (bicycle, cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, rolling_wheel, stiff_decay,
                wheel_pendulum)
 
 SYSTEMS = {
@@ -19,6 +19,7 @@ SYSTEMS = {
     "wheel-pendulum": wheel_pendulum,
     "casterboard-robot": casterboard_robot,
     "chaplygin-sleigh": chaplygin_sleigh,
+    "bicycle": bicycle,
 }
 ROOT = Path(__file__).resolve().parent.parent
 

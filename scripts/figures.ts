@@ -14,7 +14,7 @@ const caseNamed = (id: string) => cases.find((c) => c.id === id)!.scenario;
 
 function run(raw: object) {
   const scenario = checkScenario(raw, metas);
-  const simulation = new Simulation(scenario, ripstik, { extras: ['energy', 'residual'] });
+  const simulation = new Simulation(scenario, systems[scenario.system]!, { extras: ['energy', 'residual'] });
   const from = performance.now();
   simulation.advance(() => false);
   const seconds = (performance.now() - from) / 1000;

@@ -5,6 +5,8 @@ import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
+import { plotLocus } from './analysisBridge.ts';
+import { download } from './app/download.ts';
 import { plotComparison, saveOutcomes, savePicture } from './comparisonBridge.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
@@ -30,6 +32,7 @@ render(
     formulations={formulations}
     origin={app.state.origin}
     comparing={{ comparison, plot: (...args) => plotComparison(app, ...args), saveTable: saveOutcomes, savePicture }}
+    analysing={{ plot: (...args) => plotLocus(app, ...args), save: (name, content, type) => download(name, [content], type) }}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}

@@ -1,4 +1,5 @@
 import { feedbackOf } from '../src/core/control/feedback.ts';
+export { seeded } from '../src/cli/bench/states.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { Scenario } from '../src/core/scenario/types.ts';
 import { Simulation, type RunCounts, type RunEnd } from '../src/core/simulation/simulation.ts';
@@ -31,16 +32,5 @@ export function runOf(raw: unknown): FinishedRun {
     end: simulation.end!,
     counts: simulation.counts,
     simulation,
-  };
-}
-
-/** Mulberry32: a small seeded generator, so that a failure can be repeated from the seed it prints. */
-export function seeded(seed: number): () => number {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let t = Math.imul(state ^ (state >>> 15), state | 1);
-    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
   };
 }

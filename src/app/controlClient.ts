@@ -83,7 +83,8 @@ export class ControlClient {
     if (reply.id !== this.current?.id) return;
     const { question } = this.current;
     this.current = null;
-    question.resolve(reply.type === 'analysed' ? { ok: true, value: reply.analysis } : { ok: false, path: reply.path, message: reply.message });
+    if (reply.type === 'analysed') question.resolve({ ok: true, value: reply.analysis });
+    else if (reply.type === 'refused') question.resolve({ ok: false, path: reply.path, message: reply.message });
     this.proceed();
   }
 

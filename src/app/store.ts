@@ -9,6 +9,7 @@ import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
+import { LocusClient } from './locusClient.ts';
 import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
@@ -93,6 +94,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
     control: new ControlClient(() => workers.control(), systemMetas),
+    locus: new LocusClient(() => workers.control(), systemMetas),
   };
 }
 

@@ -2,6 +2,7 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
+import type { LocusClient } from './locusClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -168,4 +169,5 @@ export interface App {
   systemOf(id: string): SystemView | undefined;
   /** Linearization and design, computed aside. */
   control: ControlClient;
+  locus: LocusClient;
 }

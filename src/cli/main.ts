@@ -5,6 +5,7 @@ import { controlReport } from '../core/control/report.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/registry.ts';
+import { bench } from './bench.ts';
 import { point } from './point.ts';
 import { simulate } from './simulate.ts';
 import { UsageError, pathOf } from './usage.ts';
@@ -14,6 +15,7 @@ const USAGE = `Usage:
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
+  npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
@@ -71,12 +73,16 @@ function main(args: readonly string[]): number {
     case 'cases':
       listCases(rest[0]);
       return 0;
+    case 'bench':
+      if (rest[0]) throw new UsageError(`bench takes no "${rest[0]}"`);
+      print(bench());
+      return 0;
     case undefined:
     case 'help':
       process.stdout.write(`${USAGE}\n`);
       return command === undefined ? 2 : 0;
     default:
-      throw new UsageError(`no command "${command}"; there are simulate, point, linearize and cases`);
+      throw new UsageError(`no command "${command}"; there are simulate, point, linearize, cases and bench`);
   }
 }
 

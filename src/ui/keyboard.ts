@@ -26,7 +26,9 @@ export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
 }
 
 function typing(target: EventTarget | null): boolean {
-  if (target instanceof HTMLInputElement) return target.type !== 'range' && target.type !== 'checkbox';
+  // The transport's slider is the time line itself; every other one keeps its arrows, Home and End.
+  if (target instanceof HTMLInputElement && target.type === 'range') return target.closest('.transport') === null;
+  if (target instanceof HTMLInputElement) return target.type !== 'checkbox';
   return target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName));
 }
 

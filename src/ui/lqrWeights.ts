@@ -1,5 +1,4 @@
 /** Weights as a person meets them: sets to start from, and what a control that names none means. */
-import { STATE_ALIASES } from '../core/scenario/defaults.ts';
 import type { LqrControl, NumberOrExpression } from '../core/scenario/types.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 
@@ -30,6 +29,6 @@ export function writtenQ(control: LqrControl, meta: SystemMeta): Record<string, 
 
 /** What an operating point is given by: its speed, and whatever the scenario names besides. */
 export function operatingKeys(meta: SystemMeta, at: Readonly<Record<string, NumberOrExpression>> | undefined): string[] {
-  const speed = STATE_ALIASES.get(meta.id)?.[0] ?? `${meta.coordinates[0]!.name}_dot`;
+  const speed = meta.speed?.name ?? `${meta.coordinates[0]!.name}_dot`;
   return [...new Set([speed, ...Object.keys(at ?? {})])];
 }

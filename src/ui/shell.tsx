@@ -3,6 +3,8 @@ import { useSignal, useSignalEffect } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { App, CaseInfo } from '../app/types.ts';
+import type { AnalysisProps } from './analysis/analysisView.tsx';
+import { AnalysisPanel } from './analysisPanel.tsx';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from './context.ts';
 import type { FormulationChoice, MethodChoice } from './context.ts';
@@ -34,27 +36,31 @@ export interface ShellProps {
   origin?: ReadonlySignal<CaseInfo | null>;
   /** The comparison of methods and how its curves are drawn and saved. */
   comparing: MethodsProps;
+  /** How loci are drawn and numbers saved. */
+  analysing: AnalysisProps;
 }
 
 export const PHONE = '(max-width: 760px)';
 
-export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, comparing }: ShellProps) {
+export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, comparing, analysing }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, origin), [app]);
   const keysOpen = useSignal(false);
   const methodsOpen = useSignal(false);
+  const analysisOpen = useSignal(false);
   const phone = useMedia(PHONE);
   useTheme(app);
   useKeyboard(app, keysOpen);
   return (
     <UiContext.Provider value={ui}>
       <div class="shell">
-        <TopBar keysOpen={keysOpen} methodsOpen={methodsOpen} />
+        <TopBar keysOpen={keysOpen} methodsOpen={methodsOpen} analysisOpen={analysisOpen} />
         {phone ? null : <LeftPanel />}
         <main key="stage" class="stage" aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
         </main>
-        {phone ? null : <RightPanel />}
+        {phone || analysisOpen.value ? null : <RightPanel />}
+        {analysisOpen.value && <AnalysisPanel open={analysisOpen} {...analysing} />}
         <Transport />
         {phone ? <Sheet /> : null}
         <StatusLine />

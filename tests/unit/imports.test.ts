@@ -14,7 +14,8 @@ const MAY_IMPORT: Record<string, readonly string[]> = {
   ui: ['core', 'app'],
   sceneBridge: ['core', 'scene', 'app'],
   comparisonBridge: ['core', 'charts', 'app'],
-  main: ['core', 'io', 'worker', 'sceneBridge', 'comparisonBridge', 'charts', 'app', 'ui'],
+  analysisBridge: ['core', 'charts', 'app'],
+  main: ['core', 'io', 'worker', 'sceneBridge', 'comparisonBridge', 'analysisBridge', 'charts', 'app', 'ui'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts' };

@@ -1,9 +1,7 @@
 import { Matrix } from 'ml-matrix';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
-import { linearize } from './linearize.ts';
 import { controlReport, type ControlReport } from './report.ts';
-import { operatingPoint } from './scenarioControl.ts';
 import { distance, modesOf, type Complex, type Mode } from './spectrum.ts';
 
 /** A report with a shape for each of its eigenvalues. */
@@ -20,12 +18,12 @@ export interface ControlAnalysis extends ControlReport {
  */
 export function analyse(scenario: Scenario, system: System): ControlAnalysis {
   const report = controlReport(scenario, system);
-  const { A, tangentA, basis, states } = linearize(operatingPoint(scenario, system), []);
-  const modes = paired(report.eigenvalues, modesOf(tangentA, basis, states));
+  const [A, N] = [new Matrix(report.A), new Matrix(report.basis)];
+  const shapes = (matrix: Matrix): Mode[] => modesOf(N.transpose().mmul(matrix).mmul(N), N, report.states);
+  const modes = paired(report.eigenvalues, shapes(A));
   if (!report.K) return { ...report, modes, closedLoopModes: null };
   const closed = Matrix.sub(A, new Matrix(report.B).mmul(new Matrix(report.K)));
-  const shapes = modesOf(basis.transpose().mmul(closed).mmul(basis), basis, states);
-  return { ...report, modes, closedLoopModes: paired(report.closedLoopEigenvalues!, shapes) };
+  return { ...report, modes, closedLoopModes: paired(report.closedLoopEigenvalues!, shapes(closed)) };
 }
 
 /** Gives each eigenvalue the nearest shape that is left: a multiple zero scatters in a matrix that feedback has filled. */

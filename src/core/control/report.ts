@@ -49,6 +49,8 @@ export interface OrdersReport {
   /** Largest entry of (b) - (a) and of (c) - (a) on the tangent space. */
   difference: number;
   frozenDifference: number;
+  /** Of (b) and of (c). */
+  linearizeFirstEigenvalues: Complex[];
   frozenEigenvalues: Complex[];
 }
 
@@ -68,6 +70,7 @@ export function controlReport(scenario: Scenario, system: System): ControlReport
     orders: {
       difference: orders.difference,
       frozenDifference: orders.frozenDifference,
+      linearizeFirstEigenvalues: eigenvalues(orders.linearizeFirst.tangentA),
       frozenEigenvalues: eigenvalues(orders.frozen.tangentA),
     },
   };

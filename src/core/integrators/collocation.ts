@@ -1,45 +1,38 @@
-import { luFactor, luSolve } from '../linalg/lu.ts';
-import { weightsAt, type Tableau } from './collocationCoefficients.ts';
+import type { Tableau } from './collocationCoefficients.ts';
+import { CollocationDefect } from './collocationDefect.ts';
+import { CollocationPolynomial } from './collocationPolynomial.ts';
+import { CollocationSolver } from './collocationSolver.ts';
 import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from './contract.ts';
 import { allFinite, fixedStep } from './explicitFixed.ts';
-import { Jacobian, PATIENT_ITERATIONS, REUSE_BELOW, SimplifiedNewton, roundingFloor, tightScale, type NewtonOutcome } from './newton.ts';
+import type { NewtonOutcome } from './newton.ts';
 import { errorNorm, firstStep, PiController, stepWithin } from './stepControl.ts';
 
 /**
  * Collocation methods: Gauss with 1 to 4 stages (order 2 s) and Radau IIA with 2 or 3 (order 2 s - 1).
  *
- * Hairer and Wanner, Solving ODEs II, 2nd ed., section IV.8, for both families: unknowns z_i = u(t0 + c_i h) - y0,
- * simplified Newton iterations with the matrix I - h A (x) J, started from the polynomial of the step before.
+ * Hairer and Wanner, Solving ODEs II, 2nd ed., section IV.8, for both families; in parts:
  *
- *   symbol  here          meaning
- *   z_i     z[i]          increments at the nodes
- *   c, A    tableau       nodes, Runge-Kutta matrix
- *   gamma0  tableau.gamma weight of f(t0, y0) in the embedded formula
- *   u       interpolate   collocation polynomial of degree s: order s between steps, the full order at their ends
+ *   collocationCoefficients   what follows from the nodes
+ *   collocationTransform      eigenvalues and eigenvectors of the Runge-Kutta matrix
+ *   collocationBlocks         the linear systems that are left for each eigenvalue
+ *   collocationStages         one Newton iteration for the increments z_i = u(t0 + c_i h) - y0
+ *   collocationSolver         when to make a new Jacobian or new factors, and from where to start
+ *   collocationPolynomial     dense output: u corrected by its defect, of order s + 2 or that of the steps
+ *   collocationDefect         the corrections, and the error estimate
  *
- * Error estimate, eq. (8.19) and (8.20): y1 is compared with the formula of order s that has the same nodes and
- * gamma0 f(t0, y0) besides. The difference is gamma0 h times the defect f(t0, y0) - u'(t0), for Gauss as for
- * Radau; it falls like h^(s+1), and (I - h gamma0 J)^-1 bounds it on stiff problems. It overestimates the error at
- * the end of the step (h^(2s+1), h^2s) and is of the size of that between the steps.
+ * Steps are chosen by the error between the ends that the last corrections make good. What is delivered there and at
+ * the ends is better by an order.
  *
  * An infinite `rtol` means equal steps (`step`, 0.001 unless given) without an estimate, each solved to relative
  * 1e-14 or to rounding: so Gauss keeps quadratic invariants and the symplectic structure.
  *
- * Not guaranteed: for Gauss, damping of what is stiff (|R(infinity)| = 1); for large systems, speed: one real
- * factorization of s n unknowns.
+ * Not guaranteed: for Gauss, damping of what is stiff (|R(infinity)| = 1).
  */
 
-const MOST_ITERATIONS = 7;
-/** One more for the fourth stage and so on, as the larger system converges later. */
-const MORE_PER_STAGE = 1;
 /** A step below this many units in the last place of t cannot advance it reliably. */
 const SMALLEST_ULPS = 16;
 /** First step where f is not a number near the start, so that its size says nothing. */
 const CAUTIOUS_STEP = 1e-6;
-/** A step that would grow by less is kept, and with it the factors (RADAU5). */
-const KEEP_BELOW = 1.2;
-/** The last polynomial says nothing of a step that reaches further than this many of its own. */
-const REACH = 4;
 
 export class Collocation implements Stepper {
   t = 0;
@@ -50,107 +43,64 @@ export class Collocation implements Stepper {
   private readonly problem: OdeProblem;
   private readonly options: StepperOptions;
   private readonly tableau: Tableau;
-  private readonly n: number;
   /** Steps follow an error estimate. */
   private readonly controlled: boolean;
   private readonly controller: PiController;
-  private readonly newton: SimplifiedNewton;
-  private readonly tolerance: number;
-  private readonly floor: number;
-  private readonly jacobian: Jacobian;
-  /** I - h A (x) J and I - h gamma0 J, factored, for the step `factoredFor`; 0 if they are not to be used. */
-  private readonly matrix: Float64Array;
-  private readonly pivots: Int32Array;
-  private readonly filter: Float64Array;
-  private readonly filterPivots: Int32Array;
-  private factoredFor = 0;
-  /** The Jacobian may be used; and it is that at (t, y). */
-  private known = false;
-  private current = false;
-  /** Increments of the step being tried, and of the last accepted one: they change places. */
-  private z: Float64Array;
-  private kept: Float64Array;
-  /** The last polynomial may start Newton's method. */
-  private guess = false;
-  private readonly increment: Float64Array;
-  private readonly slopes: Float64Array;
-  private readonly weights: Float64Array;
-  private readonly endWeights: Float64Array;
-  private readonly scale: Float64Array;
+  private readonly solver: CollocationSolver;
+  private readonly defect: CollocationDefect;
+  /** Polynomials of the step being tried and of the last accepted one: they change places. */
+  private trial: CollocationPolynomial;
+  private kept: CollocationPolynomial;
   private readonly yNew: Float64Array;
   private readonly error: Float64Array;
-  private readonly scratch: Float64Array;
   private readonly f0: Float64Array;
-  private readonly y0: Float64Array;
   private h = 0;
-  /** The step being tried. */
-  private trying = 0;
   private stepTaken = 0;
+  /** f0 is f(t, y). */
   private fresh = false;
-  /** The step before was rejected, or there is none: eq. (8.20) applies. */
+  /** The step before was rejected, or there is none: what is stiff may be damped once more. */
   private wary = true;
 
   constructor(problem: OdeProblem, options: StepperOptions, tableau: Tableau) {
     const n = problem.dimension;
-    const s = tableau.stages;
-    const vector = (length = n): Float64Array => new Float64Array(length);
     this.problem = problem;
     this.options = options;
     this.tableau = tableau;
-    this.n = n;
     this.controlled = options.rtol < Infinity;
-    this.controller = new PiController(s + 1);
-    this.newton = new SimplifiedNewton(this.controlled ? MOST_ITERATIONS + MORE_PER_STAGE * Math.max(0, s - 3) : PATIENT_ITERATIONS);
-    // kappa tol as in RADAU5; without a tolerance one unit of `tightScale`.
-    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / options.rtol, Math.min(0.03, Math.sqrt(options.rtol))) : 1;
-    this.floor = this.controlled ? Math.min(0.1, roundingFloor(options.rtol)) : roundingFloor();
-    this.jacobian = new Jacobian(problem, this.counters);
-    this.matrix = vector((s * n) ** 2);
-    this.pivots = new Int32Array(s * n);
-    this.filter = vector(n * n);
-    this.filterPivots = new Int32Array(n);
-    this.z = vector(s * n);
-    this.kept = vector(s * n);
-    this.increment = vector(s * n);
-    this.slopes = vector(s * n);
-    this.weights = vector(s);
-    this.endWeights = vector(s);
-    weightsAt(1, tableau.c, this.endWeights);
-    this.y = vector();
-    this.scale = vector();
-    this.yNew = vector();
-    this.error = vector();
-    this.scratch = vector();
-    this.f0 = vector();
-    this.y0 = vector();
+    this.solver = new CollocationSolver(problem, options, tableau, this.counters);
+    this.defect = new CollocationDefect(problem, this.counters, tableau, this.solver.stages);
+    this.controller = new PiController(this.defect.estimateOrder + 1);
+    this.trial = new CollocationPolynomial(n, tableau);
+    this.kept = new CollocationPolynomial(n, tableau);
+    this.y = new Float64Array(n);
+    this.yNew = new Float64Array(n);
+    this.error = new Float64Array(n);
+    this.f0 = new Float64Array(n);
   }
 
   reset(t: number, y: Float64Array): void {
     this.t = this.previousT = t;
     this.y.set(y);
-    this.y0.set(y);
-    this.kept.fill(0);
+    this.kept.settle(y);
     this.stepTaken = 0;
     this.h = this.options.step ?? 0;
-    this.factoredFor = 0;
-    this.known = this.current = this.guess = this.fresh = false;
+    this.fresh = false;
     this.wary = true;
-    this.newton.reset();
+    this.solver.reset();
     this.controller.reset();
     Object.assign(this.counters, zeroCounters());
   }
 
-  /** The Jacobian and the polynomial stay: they decide how fast Newton's method converges, not to what. */
   stateChanged(): void {
-    this.fresh = this.current = false;
+    this.fresh = false;
+    this.solver.stateChanged();
   }
 
   step(limit: number): StepFailure | null {
-    const { y, f0, options } = this;
+    const { y, f0, options, solver } = this;
     if (!this.fresh && !this.f(this.t, y, f0)) return this.problem.failure ?? 'non-finite';
     if (!allFinite(f0)) return 'non-finite';
     this.fresh = true;
-    this.scaleBy(y);
     if (!this.controlled) return this.equalStep(limit);
     if (!(this.h > 0)) {
       this.h = firstStep((t, x, out) => this.f(t, x, out), this.t, y, f0, this.tableau.stages, options.rtol, options.atol, [this.yNew, this.error]);
@@ -158,24 +108,23 @@ export class Collocation implements Stepper {
     }
     const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
     for (;;) {
-      const h = stepWithin(this.h, limit - this.t, this.options.maxStep ?? Infinity);
+      const h = stepWithin(this.h, limit - this.t, options.maxStep ?? Infinity);
       const outcome = this.solve(h);
       if (outcome === 'converged') {
         const error = this.errorOf(h);
         if (error <= 1) {
           this.accept(h, limit);
-          this.chooseNext(h, error);
+          // A step cut short by the limit says nothing about how long the next may be.
+          const next = h * this.controller.accept(error) * solver.effort;
+          this.h = h < this.h ? Math.max(this.h, next) : next;
           return null;
         }
         this.h = h * this.controller.reject(error);
         this.wary = true;
         if (!(this.h > smallest)) return error < Infinity ? 'step-too-small' : (this.problem.failure ?? 'non-finite');
       } else {
-        if (!this.known) return this.reason(outcome);
-        // A Jacobian of an earlier state, or a bad guess, is to blame before the step is.
-        if (this.current && !this.guess) this.h = h / 2;
-        this.guess = false;
-        this.known = this.current;
+        if (!solver.hasJacobian) return this.reason(outcome);
+        if (solver.startOver(h)) this.h = h / 2;
         if (!(this.h > smallest)) return this.reason(outcome);
       }
       this.counters.rejected++;
@@ -183,13 +132,7 @@ export class Collocation implements Stepper {
   }
 
   interpolate(t: number, out: Float64Array): void {
-    const { n, weights, kept } = this;
-    weightsAt(this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1, this.tableau.c, weights);
-    for (let i = 0; i < n; i++) {
-      let sum = 0;
-      for (let s = 0; s < weights.length; s++) sum += weights[s]! * kept[s * n + i]!;
-      out[i] = this.y0[i]! + sum;
-    }
+    this.kept.at(this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1, out);
   }
 
   private f(t: number, y: Float64Array, out: Float64Array): boolean {
@@ -201,164 +144,56 @@ export class Collocation implements Stepper {
     return outcome === 'slow' ? 'newton' : (this.problem.failure ?? 'non-finite');
   }
 
-  private scaleBy(y: Float64Array): void {
-    const { rtol, atol } = this.options;
-    if (this.controlled) for (let i = 0; i < y.length; i++) this.scale[i] = atol + rtol * Math.abs(y[i]!);
-    else tightScale(y, this.scale);
-  }
-
   /** A step of given length; Newton's method is given a second chance with this step's own Jacobian and no guess. */
   private equalStep(limit: number): StepFailure | null {
     const h = fixedStep(this.options, limit - this.t);
     if (!(this.t + h > this.t)) return 'step-too-small';
-    // No estimate of the rate is carried over: what is left at the end of one iteration is not looked at again.
-    this.newton.reset();
     let outcome = this.solve(h);
     if (outcome !== 'converged') {
-      this.known = this.current;
-      this.guess = false;
+      this.solver.startOver(h);
       outcome = this.solve(h);
     }
     if (outcome !== 'converged') return this.reason(outcome);
+    this.defect.measure(this.t, h, this.f0, this.trial, this.solver.factoredFor);
     this.accept(h, limit);
     return null;
   }
 
-  /** `z` and `yNew` for a step h. */
+  /** The polynomial `trial` and `yNew` for a step h. */
   private solve(h: number): NewtonOutcome {
-    this.trying = h;
-    if (!this.known) {
-      this.factoredFor = 0;
-      if (!this.jacobian.evaluate(this.t, this.y, this.f0)) return 'no-value';
-      this.known = this.current = true;
-    }
-    if (this.factoredFor !== h && !this.factor(h)) return 'slow';
-    this.predict(h);
-    const outcome = this.newton.solve(this.correct, this.tolerance, this.floor);
+    const ratio = this.stepTaken > 0 ? h / this.stepTaken : Infinity;
+    const outcome = this.solver.solve(this.t, this.y, this.f0, h, this.trial, this.kept, ratio);
     if (outcome !== 'converged') return outcome;
-    const { n, z, endWeights } = this;
-    for (let i = 0; i < n; i++) {
-      let sum = 0;
-      for (let s = 0; s < endWeights.length; s++) sum += endWeights[s]! * z[s * n + i]!;
-      this.yNew[i] = this.y[i]! + sum;
-    }
+    this.trial.end(this.yNew);
     return allFinite(this.yNew) ? 'converged' : 'no-value';
   }
 
-  private factor(h: number): boolean {
-    const { n, matrix, filter, tableau } = this;
-    const { stages: s, A, gamma } = tableau;
-    const J = this.jacobian.matrix;
-    const size = s * n;
-    for (let a = 0; a < s; a++) {
-      for (let b = 0; b < s; b++) {
-        const factor = -h * A[a * s + b]!;
-        for (let i = 0; i < n; i++) {
-          const row = (a * n + i) * size + b * n;
-          for (let j = 0; j < n; j++) matrix[row + j] = factor * J[i * n + j]!;
-        }
-      }
-    }
-    for (let i = 0; i < size; i++) matrix[i * size + i]! += 1;
-    for (let i = 0; i < n * n; i++) filter[i] = -h * gamma * J[i]!;
-    for (let i = 0; i < n; i++) filter[i * n + i]! += 1;
-    this.counters.factorizations++;
-    this.factoredFor = 0;
-    if (!luFactor(matrix, size, this.pivots) || !luFactor(filter, n, this.filterPivots)) return false;
-    this.factoredFor = h;
-    return true;
-  }
-
-  /** z from the polynomial of the last step, continued beyond its end; else 0. */
-  private predict(h: number): void {
-    const { n, z, kept, weights, endWeights } = this;
-    const { stages, c } = this.tableau;
-    const ratio = this.stepTaken > 0 ? h / this.stepTaken : Infinity;
-    this.guess &&= ratio <= REACH;
-    z.fill(0);
-    if (!this.guess) return;
-    for (let a = 0; a < stages; a++) {
-      weightsAt(1 + c[a]! * ratio, c, weights);
-      for (let b = 0; b < stages; b++) {
-        const weight = weights[b]! - endWeights[b]!;
-        for (let i = 0; i < n; i++) z[a * n + i]! += weight * kept[b * n + i]!;
-      }
-    }
-  }
-
-  /** One iteration: z += (I - h A (x) J)^-1 (h (A (x) I) F(z) - z). */
-  private readonly correct = (): number => {
-    const { n, z, slopes, increment, yNew, scratch, scale, trying: h } = this;
-    const { stages: s, A, c } = this.tableau;
-    for (let a = 0; a < s; a++) {
-      for (let i = 0; i < n; i++) yNew[i] = this.y[i]! + z[a * n + i]!;
-      if (!this.f(this.t + c[a]! * h, yNew, scratch)) return NaN;
-      slopes.set(scratch, a * n);
-    }
-    for (let a = 0; a < s; a++) {
-      for (let i = 0; i < n; i++) {
-        let sum = 0;
-        for (let b = 0; b < s; b++) sum += A[a * s + b]! * slopes[b * n + i]!;
-        increment[a * n + i] = h * sum - z[a * n + i]!;
-      }
-    }
-    luSolve(this.matrix, s * n, this.pivots, increment);
-    let sum = 0;
-    for (let i = 0; i < s * n; i++) {
-      z[i]! += increment[i]!;
-      sum += (increment[i]! / scale[i % n]!) ** 2;
-    }
-    return Math.sqrt(sum / (s * n));
-  };
-
   /** Scaled error of the step, to be at most 1; infinite when anything is not a number. */
   private errorOf(h: number): number {
-    const { y, yNew, error, scratch, f0 } = this;
-    const { rtol, atol } = this.options;
-    this.filteredDefect(h, f0);
-    const norm = errorNorm(error, y, yNew, rtol, atol);
-    if (norm <= 1 || !this.wary || !(norm < Infinity)) return norm;
-    // Once more with f at y0 + error: what is stiff then cancels, eq. (8.20).
-    for (let i = 0; i < y.length; i++) error[i]! += y[i]!;
-    if (!this.f(this.t, error, scratch)) return norm;
-    this.filteredDefect(h, scratch);
-    return errorNorm(error, y, yNew, rtol, atol);
+    const { defect, trial } = this;
+    if (!defect.measure(this.t, h, this.f0, trial, this.solver.factoredFor)) return Infinity;
+    const error = this.judge();
+    if (error <= 1 || !this.wary || !(error < Infinity)) return error;
+    defect.damp(trial);
+    return this.judge();
   }
 
-  /** error = (I - h gamma0 J)^-1 gamma0 (h slope - h u'(t0)). */
-  private filteredDefect(h: number, slope: Float64Array): void {
-    const { n, z, error } = this;
-    const { stages, gamma, startSlope } = this.tableau;
-    for (let i = 0; i < n; i++) {
-      let own = 0;
-      for (let s = 0; s < stages; s++) own += startSlope[s]! * z[s * n + i]!;
-      error[i] = gamma * (h * slope[i]! - own);
-    }
-    luSolve(this.filter, n, this.filterPivots, error);
+  private judge(): number {
+    const { rtol, atol } = this.options;
+    this.defect.estimate(this.trial, this.error);
+    return errorNorm(this.error, this.y, this.yNew, rtol, atol);
   }
 
   private accept(h: number, limit: number): void {
     this.previousT = this.t;
     this.stepTaken = h;
     this.t = h === limit - this.t ? limit : this.t + h;
-    this.y0.set(this.y);
     this.y.set(this.yNew);
-    const kept = this.kept;
-    this.kept = this.z;
-    this.z = kept;
-    this.guess = true;
-    this.fresh = this.current = this.wary = false;
-    this.known = this.newton.theta < REUSE_BELOW;
+    const { kept } = this;
+    this.kept = this.trial;
+    this.trial = kept;
+    this.fresh = this.wary = false;
+    this.solver.accepted(h);
     this.counters.steps++;
-  }
-
-  /** The next step: shorter where Newton's method was slow (RADAU5), the same where it would grow little. */
-  private chooseNext(h: number, error: number): void {
-    const { iterations } = this.newton;
-    const effort = (2 * MOST_ITERATIONS + 1) / (2 * MOST_ITERATIONS + iterations);
-    const factor = this.controller.accept(error) * effort;
-    const next = this.known && factor >= 1 && factor <= KEEP_BELOW ? h : h * factor;
-    // A step cut short by the limit says nothing about how long the next may be.
-    this.h = h < this.h ? Math.max(this.h, next) : next;
   }
 }

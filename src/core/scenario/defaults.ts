@@ -11,5 +11,3 @@ export const MOST_ROWS = 1e7;
 /** Characters of a scenario file; the largest sensible one has a few thousand. */
 export const LONGEST_FILE = 200_000;
 
-/** Words that stand for states of a system where an operating point or a start is named. */
-export const STATE_ALIASES: ReadonlyMap<string, readonly string[]> = new Map([['bicycle', ['speed']]]);

@@ -1,7 +1,7 @@
 import { inputsOf } from '../dynamics/inputs.ts';
 import type { SystemMeta } from '../systems/types.ts';
 import { Checker, kindOf } from './checker.ts';
-import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS, STATE_ALIASES } from './defaults.ts';
+import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS } from './defaults.ts';
 import { jsonFault, placeIn } from './json.ts';
 import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type TrackControl } from './types.ts';
 
@@ -57,7 +57,7 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
   const coordinates = meta.coordinates.map((q) => q.name);
   // Of first order, the rates follow from the state.
   const states = meta.order === 1 ? coordinates : [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
-  const points = [...states, ...(STATE_ALIASES.get(id) ?? [])];
+  const points = meta.speed ? [...states, meta.speed.name] : states;
   const inputs = inputsOf(meta).map((i) => i.name);
   const set = file.get('parameterSet') === undefined ? null : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
   const sets = meta.constraintSets.map((s) => s.id);
@@ -77,10 +77,10 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
     parameters: checkParameters(c, file.get('parameters'), meta, set),
     constraints,
     hold: c.names('hold', file.get('hold'), coordinates),
-    initial: constants(c, 'initial', file.get('initial'), points),
+    initial: statesOf(c, 'initial', file.get('initial'), meta, points),
     inputs: expressions(c, 'inputs', file.get('inputs'), inputs),
     control: checkControl(c, file.get('control'), meta, { states, points, inputs }),
-    at: constants(c, 'at', file.get('at'), points),
+    at: statesOf(c, 'at', file.get('at'), meta, points),
     method: checkMethod(c, file.get('method')),
     duration,
     outputStep,
@@ -100,6 +100,18 @@ function constants(c: Checker, path: string, raw: unknown, known: readonly strin
     if (number !== undefined) result[name] = number;
   }
   return result;
+}
+
+/** States by name; a speed is said in velocities. */
+function statesOf(c: Checker, path: string, raw: unknown, { speed }: SystemMeta, known: readonly string[]): Record<string, number> {
+  const named = constants(c, path, raw, known);
+  const value = speed && named[speed.name];
+  if (!speed || value === undefined) return named;
+  const { [speed.name]: _, ...states } = named;
+  const [ahead, aside] = speed.along;
+  for (const name of speed.along) if (states[name] !== undefined) c.add(`${path}.${name}`, `is said by "${speed.name}" too; leave one of them out`);
+  const heading = states[speed.heading] ?? 0;
+  return { ...states, [ahead]: value * Math.cos(heading), [aside]: value * Math.sin(heading) };
 }
 
 function expressions(c: Checker, path: string, raw: unknown, known: readonly string[]): Record<string, NumberOrExpression> {
@@ -166,10 +178,10 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   const control = new Map(c.entries('control', raw, keys));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
-  return type === 'lqr' ? checkLqr(c, control, names, limits) : checkTrack(c, control, meta, limits);
+  return type === 'lqr' ? checkLqr(c, control, meta, names, limits) : checkTrack(c, control, meta, limits);
 }
 
-function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, { states, points, inputs }: Names, limits: Record<string, number>): LqrControl {
+function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta, { states, points, inputs }: Names, limits: Record<string, number>): LqrControl {
   const names = c.names('control.inputs', control.get('inputs'), inputs);
   if (names.length === 0) c.add('control.inputs', `name at least one input; there are ${inputs.slice(0, 12).join(', ')}`);
   const Q = constants(c, 'control.Q', control.get('Q'), states);
@@ -179,7 +191,7 @@ function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, { states, p
   return {
     type: 'lqr',
     inputs: names,
-    at: constants(c, 'control.at', control.get('at'), points),
+    at: statesOf(c, 'control.at', control.get('at'), meta, points),
     ...(control.get('Q') === undefined ? {} : { Q }),
     R,
     limits,

@@ -10,6 +10,7 @@ const loaders: Readonly<Record<string, () => Promise<System>>> = {
   'wheel-pendulum': async () => (await import('./wheel-pendulum/system.ts')).wheelPendulum,
   'casterboard-robot': async () => (await import('./casterboard-robot/system.ts')).casterboardRobot,
   'chaplygin-sleigh': async () => (await import('./chaplygin-sleigh/system.ts')).chaplyginSleigh,
+  bicycle: async () => (await import('./bicycle/system.ts')).bicycle,
 };
 
 export const systemIds: readonly string[] = Object.keys(loaders);

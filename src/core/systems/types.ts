@@ -94,6 +94,8 @@ export interface SystemMeta {
   /** First one is the default. */
   constraintSets: readonly { id: string; label: string }[];
   inputs: readonly InputMeta[];
+  /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
+  speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
   /** Inputs that a regulator is first offered with; all of them where this is left out. */
   regulators?: readonly string[];
   bodies: readonly BodyMeta[];

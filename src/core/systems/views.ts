@@ -1,4 +1,5 @@
 import type { SystemView } from './types.ts';
+import { bicycleView } from './bicycle/view.ts';
 import { cartPendulumView } from './cart-pendulum/view.ts';
 import { casterRotationView } from './caster-rotation/view.ts';
 import { casterboardRobotView } from './casterboard-robot/view.ts';
@@ -18,4 +19,5 @@ export const systemViews: Readonly<Record<string, SystemView>> = {
   'wheel-pendulum': wheelPendulumView,
   'casterboard-robot': casterboardRobotView,
   'chaplygin-sleigh': chaplyginSleighView,
+  bicycle: bicycleView,
 };

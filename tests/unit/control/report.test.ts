@@ -3,7 +3,6 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
-import { EXPORT_FORMATS, exportText } from '../../../src/core/control/exportText.ts';
 import { controlReport, type ControlReport } from '../../../src/core/control/report.ts';
 import { systems } from '../../../src/core/systems/registry.ts';
 import { scenarioOf } from '../../helpers.ts';
@@ -33,20 +32,6 @@ describe('the report', () => {
     expect(r.point.v[0]).toBe(2);
     expect(r.inputs).toEqual(['tau_fp', 'tau_bp', 'tau_twist', 'tau_fc', 'tau_bc']);
     expect([r.K, r.closedLoopEigenvalues, r.careResidual]).toEqual([null, null, null]);
-  });
-});
-
-describe('exports', () => {
-  const report = reportOf(balanced);
-  test.each(EXPORT_FORMATS.map((f) => f.id))('%s holds every number exactly', (format) => {
-    const text = exportText(report, format);
-    const numbers = new Set((text.match(/-?\d[\d.]*(?:e[+-]?\d+)?/g) ?? []).map(Number));
-    for (const x of [...report.K!.flat(), ...report.A.flat(), ...report.B.flat()]) expect(numbers.has(x) || numbers.has(-x)).toBe(true);
-  });
-
-  test('NumPy text is Python', () => {
-    const python = spawnSync('python3', ['-c', 'import ast, sys; ast.parse(sys.stdin.read())'], { input: exportText(report, 'numpy') });
-    if (!python.error) expect(String(python.stderr)).toBe('');
   });
 });
 

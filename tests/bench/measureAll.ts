@@ -1,0 +1,39 @@
+import { loadavg } from 'node:os';
+import { bench } from '../../src/cli/bench.ts';
+import { apart, here } from '../../src/cli/bench/apart.ts';
+import { QUICK, THOROUGH } from '../../src/cli/bench/measure.ts';
+import { race } from './race.ts';
+import { summaryOf, type Results } from './report.ts';
+import { rival } from './rival.ts';
+import { BRIEF, FULL, problems, workPrecision, type Problem, type WorkReport } from './workPrecision.ts';
+
+/** Of the falling board, s. */
+const RACE_SECONDS = { full: 60, quick: 0.5 } as const;
+
+export interface Measured {
+  results: Results;
+  work: Record<Problem, WorkReport>;
+}
+
+/** One run of everything; `say` hears what is being measured. */
+export async function measureAll(quick: boolean, say: (what: string) => void): Promise<Measured> {
+  const [options, settings, call] = quick ? ([QUICK, BRIEF, here] as const) : ([THOROUGH, FULL, apart] as const);
+  const load = loadavg()[0]!;
+  say('MuJoCo beside us');
+  const beside = await rival(options);
+  say('accelerations and steps per second');
+  const own = bench(options, call);
+  const work = Object.fromEntries(
+    (Object.keys(problems) as Problem[]).map((problem) => {
+      say(`work and precision: ${problem} board`);
+      return [problem, workPrecision(problem, settings, call)];
+    }),
+  ) as Record<Problem, WorkReport>;
+  say('the falling board');
+  const duration = quick ? RACE_SECONDS.quick : RACE_SECONDS.full;
+  const precision = { coasting: summaryOf(work.coasting), falling: summaryOf(work.falling) };
+  return {
+    results: { ...own, load, rival: beside, precision, race: { duration, entries: race(duration, call) } },
+    work,
+  };
+}

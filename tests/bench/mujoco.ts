@@ -1,0 +1,158 @@
+import loadMujoco, { type MjData, type MjModel } from 'mujoco-js';
+
+/**
+ * The board in MuJoCo's own WebAssembly build (Todorov, Erez, Tassa, "MuJoCo: a physics engine for model-based
+ * control", IROS 2012): the same five bodies with explicit inertias, no geoms, contacts and constraints disabled.
+ */
+
+/** How the rod's six degrees of freedom are given to MuJoCo: `hinges` has our own coordinates, `free` a quaternion. */
+export type RootJoint = 'hinges' | 'free';
+
+/** Place of our coordinates among MuJoCo's with hinges: X Y Z theta psi alpha, front plate and caster, back ones. */
+const PLACE = [0, 1, 2, 5, 4, 3, 6, 8, 7, 9] as const;
+const n = PLACE.length;
+
+/** The board as MJCF; `p` by name as in the system's meta. Without springs, damping and drag. */
+export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): string {
+  const { rodMass, rodLength, rodRadius, plateMass, plateLength, plateWidth, plateThickness, plateOffset } =
+    p as Record<string, number>;
+  const { pivotDrop, casterAngle, casterTrail, casterDrop, casterMass, wheelRadius, gravity } = p as Record<
+    string,
+    number
+  >;
+  const inertial = (mass: number, pos: readonly number[], diagonal: readonly number[]): string =>
+    `<inertial mass="${mass}" pos="${pos.join(' ')}" diaginertia="${diagonal.join(' ')}"/>`;
+  const side = (rodMass! * (3 * rodRadius! ** 2 + rodLength! ** 2)) / 12;
+  const rod = inertial(rodMass!, [0, 0, 0], [(rodMass! * rodRadius! ** 2) / 2, side, side]);
+  const squares = [
+    plateWidth! ** 2 + plateThickness! ** 2,
+    plateLength! ** 2 + plateThickness! ** 2,
+    plateLength! ** 2 + plateWidth! ** 2,
+  ];
+  const plate = inertial(
+    plateMass!,
+    [0, 0, 0],
+    squares.map((s) => (plateMass! * s) / 12),
+  );
+  const disc = casterMass! * wheelRadius! ** 2;
+  const caster = inertial(casterMass!, [-casterTrail!, 0, -casterDrop!], [disc / 4, disc / 2, disc / 4]);
+  const half = (name: string, sign: number): string => `
+      <body name="${name}-plate" pos="${sign * plateOffset!} 0 0"><joint type="hinge" axis="1 0 0"/>${plate}
+        <body name="${name}-caster" pos="0 0 ${-pivotDrop!}" quat="${Math.cos(casterAngle! / 2)} 0 ${Math.sin(casterAngle! / 2)} 0">
+          <joint type="hinge" axis="0 0 1"/>${caster}
+        </body>
+      </body>`;
+  const axes = ['1 0 0', '0 1 0', '0 0 1'];
+  const hinges = [
+    ...axes.map((axis) => `<joint type="slide" axis="${axis}"/>`),
+    ...axes.reverse().map((axis) => `<joint type="hinge" axis="${axis}"/>`),
+  ];
+  return `<mujoco>
+  <compiler angle="radian"/>
+  <option gravity="0 0 ${-gravity!}"><flag contact="disable" constraint="disable"/></option>
+  <worldbody>
+    <body name="rod">${root === 'free' ? '<freejoint/>' : hinges.join('')}${rod}${half('front', 1)}${half('back', -1)}
+    </body>
+  </worldbody>
+</mujoco>`;
+}
+
+/** The board loaded, with views of its arrays; its states go in and out in our order of coordinates. */
+export class MujocoBoard {
+  readonly version: string;
+  private readonly mujoco: Awaited<ReturnType<typeof loadMujoco>>;
+  private readonly model: MjModel;
+  private readonly data: MjData;
+  private readonly qpos: Float64Array;
+  private readonly qvel: Float64Array;
+  private readonly qacc: Float64Array;
+
+  private constructor(mujoco: Awaited<ReturnType<typeof loadMujoco>>, xml: string) {
+    this.mujoco = mujoco;
+    this.version = mujoco.mj_versionString() as string;
+    const files = (mujoco as unknown as { FS: { writeFile(name: string, text: string): void } }).FS;
+    files.writeFile('/board.xml', xml);
+    this.model = mujoco.MjModel.loadFromXML('/board.xml');
+    this.data = new mujoco.MjData(this.model);
+    this.qpos = this.data.qpos as Float64Array;
+    this.qvel = this.data.qvel as Float64Array;
+    this.qacc = this.data.qacc as Float64Array;
+  }
+
+  static async load(p: Readonly<Record<string, number>>, root: RootJoint): Promise<MujocoBoard> {
+    return new MujocoBoard(await loadMujoco(), boardXml(p, root));
+  }
+
+  /** Our q (10) as MuJoCo's positions: 10 with hinges, 11 with a free joint. */
+  positionsOf(q: Float64Array): Float64Array {
+    const own = new Float64Array(n);
+    for (let i = 0; i < n; i++) own[PLACE[i]!] = q[i]!;
+    return this.qpos.length === n
+      ? own
+      : Float64Array.of(...own.subarray(0, 3), ...attitude(q[3]!, q[4]!, q[5]!), ...own.subarray(6));
+  }
+
+  /** Our v (10) as MuJoCo's velocities; with a free joint the rod's angular velocity in its own axes. */
+  velocitiesOf(q: Float64Array, v: Float64Array): Float64Array {
+    const own = new Float64Array(n);
+    for (let i = 0; i < n; i++) own[PLACE[i]!] = v[i]!;
+    if (this.qpos.length > n) own.set(bodyRates(q, v), 3);
+    return own;
+  }
+
+  /** `mj_forward` at MuJoCo's own positions and velocities. */
+  forward(positions: Float64Array, velocities: Float64Array): void {
+    this.qpos.set(positions);
+    this.qvel.set(velocities);
+    this.mujoco.mj_forward(this.model, this.data);
+  }
+
+  /** Entry i of MuJoCo's acceleration of the last `forward`. */
+  accelerationAt(i: number): number {
+    return this.qacc[i]!;
+  }
+
+  /** With hinges: the acceleration of the last `forward` in our order, into `a` (10). */
+  acceleration(a: Float64Array): void {
+    for (let i = 0; i < n; i++) a[i] = this.qacc[PLACE[i]!]!;
+  }
+
+  /** What one call into the module costs without any work: to know how much of a time is the border. */
+  callNothing(): number {
+    return this.mujoco.mj_version();
+  }
+
+  dispose(): void {
+    this.data.delete();
+    this.model.delete();
+  }
+}
+
+/** Unit quaternion (w, x, y, z) of Rz(yaw) Ry(pitch) Rx(roll). */
+function attitude(roll: number, pitch: number, yaw: number): number[] {
+  const [cr, sr, cp, sp, cy, sy] = [roll, pitch, yaw].flatMap((x) => [Math.cos(x / 2), Math.sin(x / 2)]) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  return [
+    cy * cp * cr + sy * sp * sr,
+    cy * cp * sr - sy * sp * cr,
+    cy * sp * cr + sy * cp * sr,
+    sy * cp * cr - cy * sp * sr,
+  ];
+}
+
+/** Angular velocity in the rod's axes, from the rates of roll, pitch and yaw. */
+function bodyRates(q: Float64Array, v: Float64Array): number[] {
+  const [roll, pitch] = [q[3]!, q[4]!];
+  const [p, r, y] = [v[3]!, v[4]!, v[5]!];
+  return [
+    p - y * Math.sin(pitch),
+    r * Math.cos(roll) + y * Math.cos(pitch) * Math.sin(roll),
+    -r * Math.sin(roll) + y * Math.cos(pitch) * Math.cos(roll),
+  ];
+}

@@ -169,6 +169,25 @@ describe('what is shown is what is simulated', () => {
     }
   });
 
+  test('the bicycle: wheels of their radii, the fork from the hub to over its tyre, on the steering axis, the frame as long as the wheelbase', () => {
+    for (const changed of [{}, { rearRadius: 0.2, frontRadius: 0.4 }, { wheelbase: 1.4, trail: 0.2, steerAxisTilt: 0.5 }]) {
+      const p = { ...defaults(systemViews['bicycle']!.meta), ...changed };
+      for (const [wheel, radius] of [['rear-wheel', p['rearRadius']!], ['front-wheel', p['frontRadius']!]] as const) {
+        const { min, max } = boundsOf('bicycle', changed, wheel, 'tyre');
+        for (const reach of [-min.x, max.x, -min.z, max.z]) expect(Math.abs(reach / radius - 1)).toBeLessThan(2e-3);
+      }
+      expect(boundsOf('bicycle', changed, 'front-frame', 'axle').getCenter(new Vector3()).length()).toBeLessThan(1e-4);
+      const fork = boundsOf('bicycle', changed, 'front-frame', 'fork');
+      expect(fork.max.z).toBeGreaterThan(p['frontRadius']!);
+      // Where the axis passes at the height of the grips, the bar is.
+      const stem = boundsOf('bicycle', changed, 'front-frame', 'stem');
+      const axisAt = (z: number): number => p['trail']! - (z + p['frontRadius']!) * Math.tan(p['steerAxisTilt']!);
+      expect(axisAt(stem.max.z)).toBeLessThan(stem.max.x + 0.02 * p['wheelbase']!);
+      expect(axisAt(stem.min.z)).toBeGreaterThan(stem.min.x);
+      expect(boundsOf('bicycle', changed, 'rear-frame', 'frame').max.x).toBeLessThan(p['wheelbase']! + p['trail']!);
+    }
+  });
+
   test('one mark of the scale is the height 1, one is 0', () => {
     const { min, max } = boundsOf('stiff-decay', {}, 'scale', 'marks');
     expect([min.z, max.z]).toEqual([expect.closeTo(-1, 1), expect.closeTo(1, 1)]);

@@ -103,7 +103,7 @@ function forkParts(l: Layout): Part[] {
   const [thick, width] = [0.013 * w, 0.055 * w];
   const grip = (side: 1 | -1): [Vec3, Vec3] => [add(bar, [-0.06 * w, side * 0.24 * w, 0.01 * w]), add(bar, [-0.17 * w, side * 0.27 * w, 0])];
   return [
-    { group: 'fork', material: 'accent', triangles: [
+    { group: 'fork', material: 'accent-front', triangles: [
       ...both((side) => pipe([beside(front, side * width), beside(mixPoints(front, crown, 0.8), side * width), beside(crown, side * 0.3 * width)], thick)), ...tube(beside(crown, -0.5 * width), beside(crown, 0.5 * width), 1.6 * thick),
     ] },
     { group: 'stem', material: 'aluminium', triangles: [...tube(mixPoints(crown, head, 0.9), bar, thick), ...both((side) => pipe([bar, beside(add(bar, [0.01 * w, 0, 0.02 * w]), side * 0.14 * w), ...grip(side)], 0.8 * thick))] },

@@ -22,17 +22,17 @@ export function StartSection() {
   const adjusted = new Map(motion?.source === 'run' && motion.system === system ? motion.adjustments.map((a) => [a.name, a]) : []);
   return (
     <Section title={text.panel.start} open>
-      <div class="start-head" aria-hidden="true"><span>{text.panel.value}</span><span>{system.meta.order !== 1 && text.panel.rate}</span></div>
+      <div class="start-head" aria-hidden="true"><span>{text.panel.value}</span><span>{text.panel.rate}</span></div>
       {system.meta.coordinates.map((c) => (
-        <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} rated={system.meta.order !== 1} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} />
+        <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} rated={system.meta.order !== 1} />
       ))}
       <p class="hint">{text.panel.startHint}</p>
     </Section>
   );
 }
 
-/** A rate is no part of the state of a system of first order. */
-function StartRow({ coordinate, rated, value, rate }: { coordinate: CoordinateMeta; rated: boolean; value: Adjustment | undefined; rate: Adjustment | undefined }) {
+/** @param rated whether the rate can be chosen: of first order it follows from the value */
+function StartRow({ coordinate, value, rate, rated }: { coordinate: CoordinateMeta; value: Adjustment | undefined; rate: Adjustment | undefined; rated: boolean }) {
   const [valueId, rateId] = [useId(), useId()];
   const valueSpec = useStartSpec(coordinate, 0);
   const rateSpec = useStartSpec(coordinate, 1);

@@ -26,6 +26,9 @@ const ends: Readonly<Record<string, Readonly<Record<string, readonly [value: num
   turning: { X: [15.0041, 1e-3], Y: [3.7102, 1e-3] },
   'cart-pendulum': { X: [0.252355, 1e-5], theta: [-3.570098, 1e-5] },
   'cart-pendulum-lqr': { X: [0, 1e-3], theta: [Math.PI / 2, 1e-4] },
+  'bicycle-stable': { roll: [-0.000523, 1e-5], y: [-8.08767, 1e-3] },
+  'bicycle-weave': { roll: [-0.354201, 1e-5], steer: [-0.354737, 1e-5] },
+  'bicycle-capsize': { roll: [0.0300870, 1e-6], y: [-10.20920, 1e-3] },
   'wheel-pendulum': { X: [-0.033276, 1e-5], psi: [-7.554747, 1e-5] },
 };
 

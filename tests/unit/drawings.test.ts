@@ -170,7 +170,8 @@ describe('what is shown is what is simulated', () => {
   });
 
   test('the bicycle: wheels of their radii, the fork from the hub to over its tyre, on the steering axis, the frame as long as the wheelbase', () => {
-    for (const changed of [{}, { rearRadius: 0.2, frontRadius: 0.4 }, { wheelbase: 1.4, trail: 0.2, steerAxisTilt: 0.5 }]) {
+    const variants: Record<string, number>[] = [{}, { rearRadius: 0.2, frontRadius: 0.4 }, { wheelbase: 1.4, trail: 0.2, steerAxisTilt: 0.5 }];
+    for (const changed of variants) {
       const p = { ...defaults(systemViews['bicycle']!.meta), ...changed };
       for (const [wheel, radius] of [['rear-wheel', p['rearRadius']!], ['front-wheel', p['frontRadius']!]] as const) {
         const { min, max } = boundsOf('bicycle', changed, wheel, 'tyre');

@@ -1,4 +1,5 @@
 import type { Case } from './case.ts';
+import { bicycleCases } from './bicycle.ts';
 import { cartPendulumCases } from './cartPendulum.ts';
 import { casterRotationCases } from './casterRotation.ts';
 import { casterboardRobotCases } from './casterboardRobot.ts';
@@ -19,5 +20,6 @@ export const cases: readonly Case[] = [
   ...stiffDecayCases,
   ...wheelPendulumCases,
   ...casterboardRobotCases,
+  ...bicycleCases,
   ...chaplyginSleighCases,
 ];

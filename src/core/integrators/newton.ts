@@ -32,9 +32,12 @@ export function tightScale(y: Float64Array, scale: Float64Array): void {
   for (let i = 0; i < y.length; i++) scale[i] = TIGHT * (TIGHT_FLOOR + Math.abs(y[i]!));
 }
 
-/** Where increments cease to shrink because of rounding, in units of `relative` times the variable. */
+/**
+ * Where increments cease to shrink because of rounding, in units of `relative` times the variable: a skate that is nearly flat
+ * magnifies the rounding of forces some thousand times.
+ */
 export function roundingFloor(relative = TIGHT): number {
-  return (1e3 * Number.EPSILON) / relative;
+  return (1e4 * Number.EPSILON) / relative;
 }
 
 export class SimplifiedNewton {

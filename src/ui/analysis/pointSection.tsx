@@ -1,6 +1,5 @@
 /** The operating point: what is named, what moves, and the multipliers that carry it. */
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
-import { STATE_ALIASES } from '../../core/scenario/defaults.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import type { SystemView } from '../../core/systems/types.ts';
 import { edit, useUi, type Ui } from '../context.ts';
@@ -21,7 +20,7 @@ export function PointSection({ analysis, names, system }: { analysis: ControlAna
   const at = pointOf(draft);
   const speed = speedName(system);
   const shown = [...new Set([speed, ...Object.keys(at)])];
-  const known = [...(STATE_ALIASES.get(system.meta.id) ?? []), ...names.keys()];
+  const known = [...(system.meta.speed ? [system.meta.speed.name] : []), ...names.keys()];
   return (
     <Section title={words.point} open>
       {shown.map((name) => <PointField key={`${system.meta.id}.${name}`} name={name} names={names} />)}
@@ -50,8 +49,8 @@ function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): 
 
 /** How fast it goes: a word of the system's own, or the rate of its first coordinate (itself, in first order). */
 export function speedName(system: SystemView): string {
-  const { id, coordinates, order } = system.meta;
-  return STATE_ALIASES.get(id)?.[0] ?? (order === 1 ? coordinates[0]!.name : `${coordinates[0]!.name}_dot`);
+  const { coordinates, order, speed } = system.meta;
+  return speed?.name ?? (order === 1 ? coordinates[0]!.name : `${coordinates[0]!.name}_dot`);
 }
 
 function PointField({ name, names }: { name: string; names: ReadonlyMap<string, StateName> }) {

@@ -1,6 +1,5 @@
 /** What a root locus can be drawn against, and the range that is offered. */
 import type { LocusRequest } from '../../core/control/scenarioLocus.ts';
-import { STATE_ALIASES } from '../../core/scenario/defaults.ts';
 import type { SystemView } from '../../core/systems/types.ts';
 import type { StateName } from './names.ts';
 
@@ -22,7 +21,7 @@ const DEGREES = 180 / Math.PI;
 
 /** The speed first, then the other rates, then every parameter. */
 export function subjectsOf({ meta }: Pick<SystemView, 'meta'>, names: ReadonlyMap<string, StateName>, speedWord: string): LocusSubject[] {
-  const aliases = (STATE_ALIASES.get(meta.id) ?? []).map((name) => point(name, speedWord, 'v', 'm/s', false));
+  const aliases = meta.speed ? [point(meta.speed.name, speedWord, 'v', 'm/s', false)] : [];
   const rates = [...names.values()].filter((s) => s.rate || meta.order === 1).map((s) => point(s.name, s.label, s.symbol, s.angle ? '°/s' : s.unit, s.angle));
   const parameters = meta.parameters.map((p): LocusSubject => ({
     id: `parameter.${p.name}`, vary: 'parameter', name: p.name, label: p.label, symbol: p.symbol, ...shown(p.unit, p.kind === 'angle'),

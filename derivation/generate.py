@@ -151,7 +151,10 @@ def jacobian(name, what, tape, wrt, kinds, arguments, inputs, n, keep=None):
 
 
 def grouped(tape: Tape, labels):
-    """Columns gathered greedily into tapes of at most MOST_OPERATIONS: [(labels, tape)]."""
+    """Columns gathered greedily into tapes of at most MOST_OPERATIONS: [(labels, tape)].
+
+    Bytecode grows with operations and with local names, which take longer instructions when there are many.
+    """
     by_label = {label: [k for k in tape.outputs if k[1] == label] for label in labels}
     by_label = {label: keys for label, keys in by_label.items() if keys}
     groups, current = [], []

@@ -4,11 +4,14 @@ import { edit, useUi } from './context.ts';
 import { Choice, Section } from './controls.tsx';
 import { withEntry, withKey } from './draft.ts';
 import { ExpressionField } from './expressionField.tsx';
-import { firstLqr, LqrPanel } from './lqrPanel.tsx';
+import { later } from './later.tsx';
+import { firstLqr } from './lqrWeights.ts';
 import { NumberField } from './numberField.tsx';
 import { MathSymbol } from './symbol.tsx';
 import { text } from './text.ts';
 import type { NumberSpec } from './useNumberField.ts';
+
+const LqrPanel = later(async () => (await import('./lqrPanel.tsx')).LqrPanel);
 
 export function InputsSection() {
   const ui = useUi();

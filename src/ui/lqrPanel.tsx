@@ -9,7 +9,6 @@ import { formatShort } from './format.ts';
 import { LqrReadout } from './lqrReadout.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from './numberField.tsx';
-import { MathSymbol } from './symbol.tsx';
 import { text } from './text.ts';
 import { numberOf } from './useNumberField.ts';
 
@@ -177,17 +176,4 @@ function stateOf(meta: SystemMeta, name: string): { coordinate: CoordinateMeta |
 function changed(record: Readonly<Record<string, NumberOrExpression>> | undefined, name: string, value: NumberOrExpression | undefined): Record<string, NumberOrExpression> {
   const { [name]: _, ...rest } = record ?? {};
   return value === undefined ? rest : { ...rest, [name]: value };
-}
-
-/** What "LQR" begins with: the case's own controller, or the inputs that suit the system, about its start's speed. */
-export function firstLqr(meta: SystemMeta, initial: Readonly<Record<string, NumberOrExpression>> | undefined, saved: LqrControl | undefined): LqrControl {
-  if (saved) return saved;
-  const at = Object.fromEntries(operatingKeys(meta, undefined).flatMap((name) => (initial?.[name] === undefined ? [] : [[name, initial[name]]])));
-  return { type: 'lqr', inputs: [...(meta.regulators ?? meta.inputs.map((i) => i.name))], at };
-}
-
-/** The symbol of a state, for lists. */
-export function StateSymbol({ meta, name }: { meta: SystemMeta; name: string }) {
-  const { coordinate, rate } = stateOf(meta, name);
-  return <MathSymbol of={coordinate ? (rate ? `${coordinate.symbol}′` : coordinate.symbol) : name} />;
 }

@@ -32,3 +32,10 @@ export function operatingKeys(meta: SystemMeta, at: Readonly<Record<string, Numb
   const speed = meta.speed?.name ?? `${meta.coordinates[0]!.name}_dot`;
   return [...new Set([speed, ...Object.keys(at ?? {})])];
 }
+
+/** What "LQR" begins with: the case's own controller, or the inputs that suit the system, about its start's speed. */
+export function firstLqr(meta: SystemMeta, initial: Readonly<Record<string, NumberOrExpression>> | undefined, saved: LqrControl | undefined): LqrControl {
+  if (saved) return saved;
+  const at = Object.fromEntries(operatingKeys(meta, undefined).flatMap((name) => (initial?.[name] === undefined ? [] : [[name, initial[name]]])));
+  return { type: 'lqr', inputs: [...(meta.regulators ?? meta.inputs.map((i) => i.name))], at };
+}

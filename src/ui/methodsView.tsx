@@ -7,7 +7,6 @@ import { methodSets, type MethodChoice, type MethodSet } from '../core/cases/met
 import type { MethodOptions } from '../core/scenario/types.ts';
 import { useUi } from './context.ts';
 import { Check } from './controls.tsx';
-import { Dialog } from './dialogs.tsx';
 import { formatCount, formatScientific, formatShort } from './format.ts';
 import { text } from './text.ts';
 
@@ -26,16 +25,7 @@ export interface MethodsProps {
   savePicture(host: HTMLElement): void;
 }
 
-export function MethodsDialog({ open, ...props }: MethodsProps & { open: Signal<boolean> }) {
-  if (!open.value) return null;
-  return (
-    <Dialog title={text.methods.title} testId="methods-dialog" wide onClose={() => { open.value = false; }}>
-      <Methods {...props} />
-    </Dialog>
-  );
-}
-
-function Methods(props: MethodsProps) {
+export function Methods(props: MethodsProps) {
   const chosen = useSignal(methodSets[0]!);
   const choose = (id: string) => {
     props.comparison.stop();

@@ -8,12 +8,13 @@ import { AnalysisPanel } from './analysisPanel.tsx';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from './context.ts';
 import type { FormulationChoice, MethodChoice } from './context.ts';
-import { KeysDialog, StepDialog } from './dialogs.tsx';
+import { Dialog, KeysDialog, StepDialog } from './dialogs.tsx';
 import { DropOverlay } from './dropOverlay.tsx';
 import { useKeyboard } from './keyboard.ts';
+import { later } from './later.tsx';
 import { useMedia } from './media.ts';
 import { Messages } from './messages.tsx';
-import { MethodsDialog, type MethodsProps } from './methodsView.tsx';
+import type { MethodsProps } from './methodsView.tsx';
 import { LeftPanel, RightPanel, Sheet } from './panels.tsx';
 import { StageOverlay } from './stageOverlay.tsx';
 import { StatusLine } from './statusLine.tsx';
@@ -21,6 +22,8 @@ import { text } from './text.ts';
 import { TopBar } from './topBar.tsx';
 import { Transport } from './transport.tsx';
 import './style.css';
+
+const Methods = later(async () => (await import('./methodsView.tsx')).Methods);
 
 export interface ShellProps {
   app: App;
@@ -68,7 +71,9 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       <Messages />
       <StepDialog />
       <KeysDialog open={keysOpen} />
-      <MethodsDialog open={methodsOpen} {...comparing} />
+      {methodsOpen.value && (
+        <Dialog title={text.methods.title} testId="methods-dialog" wide onClose={() => { methodsOpen.value = false; }}><Methods {...comparing} /></Dialog>
+      )}
       <DropOverlay />
       <Announcer />
     </UiContext.Provider>

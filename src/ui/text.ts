@@ -91,6 +91,7 @@ export const text = {
     stableAbove: 'nothing grows above', stableBelow: 'nothing grows below', skipped: (n: number, value: string, reason: string) => `${n} values are left out, the first at ${value}: ${reason}`, locusCsv: 'Locus as CSV',
   },
   message: { label: 'Messages', dismiss: 'Dismiss' },
+  later: { loading: 'Loading', failed: 'This part could not be loaded; check the connection and open it again.' },
   close: 'Close',
   sheet: 'Panels',
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },

@@ -23,8 +23,8 @@ function boardInWords(t: number, at: (name: string) => number): string {
 
 /** Every coordinate by its plain name. */
 function inWords(meta: SystemMeta, t: number, at: (name: string) => number): string {
-  const values = meta.coordinates.map(({ name, label, kind }) => `${label} ${kind === 'angle' ? `${(at(name) / DEGREE).toFixed(0)}°` : `${at(name).toFixed(2)} m`}`);
-  return `${meta.title} at ${t.toFixed(1)} s: ${values.join(', ')}.`;
+  const values = meta.coordinates.map(({ name, label, kind }) => `${label} ${(kind === 'angle' ? `${(at(name) / DEGREE).toFixed(0)}°` : `${at(name).toFixed(2)} m`).replace('-', '\u2212')}`);
+  return `${meta.title} at ${t.toFixed(1)} s: ${values.join('; ')}.`;
 }
 
 export function stageOf(app: App): Stage {

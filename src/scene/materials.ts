@@ -46,11 +46,14 @@ export function surfaceFrom(source: Material & { color?: Color }): MeshStandardM
   return surface;
 }
 
+/** The part whose colour an accent has: its body's, unless its name says otherwise. */
+const partOf = (name: string, part: Part): Part => (/front/i.test(name) ? 'front' : /back/i.test(name) ? 'back' : part);
+
 /** Gives the surface its theme: the accent's colour, and a metal's look with or without an environment. */
 export function dress(surface: MeshStandardMaterial, part: Part, palette: Palette, environment: boolean): void {
   const finish = surface.userData['finish'] as Finish;
   surface.metalness = environment ? finish.metalness : finish.plainMetalness;
   if (finish.kind !== 'accent') return;
-  surface.color.set(palette.part[part]);
+  surface.color.set(palette.part[partOf(surface.name, part)]);
   surface.emissive.copy(surface.color);
 }

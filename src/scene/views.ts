@@ -20,13 +20,13 @@ interface View {
 }
 
 const VIEWS: Readonly<Record<ViewName, View>> = {
-  orbit: { direction: [0.62, -1, 0.6], margin: [1.14, 1.14] },
-  front: { direction: [1, 0, 0.14], margin: [1.5, 1.5] },
+  orbit: { direction: [0.62, -1, 0.6], margin: [1.02, 1.08] },
+  front: { direction: [1, 0, 0.14], margin: [1.3, 1.3] },
   // From the right, so that forward is to the right on the screen.
-  side: { direction: [0, -1, 0.07], margin: [1.27, 1.4] },
+  side: { direction: [0, -1, 0.07], margin: [1.2, 1.3] },
   // A hair off the vertical: straight down has no heading of its own.
-  top: { direction: [0, -1e-3, 1], margin: [1.3, 1.5] },
-  caster: { direction: [0.7, -1, 0.16], margin: [1.5, 1.4] },
+  top: { direction: [0, -1e-3, 1], margin: [1.25, 1.4] },
+  caster: { direction: [0.7, -1, 0.16], margin: [1.15, 1.1] },
 };
 
 /** The body that a view looks at, by index. */

@@ -24,12 +24,12 @@ export function SystemSection() {
   return (
     <Section title={text.panel.system} open>
       {choice}
-      {sets.length > 0 && (
+      {sets.length > 1 && (
         <Choice label={text.panel.constraints} value={draft.constraints ?? sets[0]!.id} options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))} error={errors.get('constraints')} testId="constraints"
           onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))} />
       )}
-      {chosen?.label.includes(': ') && <p class="hint sentence">{chosen.label.split(': ').slice(1).join(': ')}</p>}
-      <div class="hold" role="group" aria-label={text.panel.hold}>
+      {sets.length > 1 && chosen?.label.includes(': ') && <p class="hint sentence">{chosen.label.split(': ').slice(1).join(': ')}</p>}
+      {system.meta.order !== 1 && <div class="hold" role="group" aria-label={text.panel.hold}>
         <span class="hold-label" title={text.panel.holdHint}>{text.panel.hold}</span>
         <span class="hold-keys">
           {system.meta.coordinates.map((c) => (
@@ -39,7 +39,7 @@ export function SystemSection() {
           ))}
         </span>
         {errors.get('hold') && <span class="error">{errors.get('hold')}</span>}
-      </div>
+      </div>}
     </Section>
   );
 }

@@ -14,7 +14,7 @@ test('every system runs in the page, and its bodies are drawn and move', async (
     if (meta.id !== 'ripstik') {
       await page.getByTestId('system').selectOption(meta.id);
       await ended(page, ++run, 'end');
-      await expect(page.getByTestId('hold-' + meta.coordinates[0]!.name), meta.title).toBeVisible();
+      await expect(page.getByTestId(`initial-${meta.coordinates[0]!.name}`), meta.title).toBeVisible();
     }
     await expect.poll(() => page.evaluate(() => window.ripstikScene!.stats().bodies), `bodies of ${meta.title}`).toBe(meta.bodies.length);
     await seek(page, 0);

@@ -54,3 +54,6 @@ export interface Sketch {
 
 /** A size of nothing cannot be drawn: a degenerate parameter shows as a millimetre. */
 export const sizeOf = (x: number): number => Math.max(Math.abs(x), 1e-3);
+
+/** How much longer than at the reference mass a side of something of one density is; never nothing. */
+export const growthOf = (mass: number, reference: number): number => Math.max(Math.cbrt(Math.abs(mass) / reference), 0.2);

@@ -30,6 +30,8 @@ const materials = {
   'deck-rubber': { about: 'deck skin', Kd: [0.34, 0.36, 0.39], Ks: [0.08, 0.08, 0.08], Ns: 18 },
   grip: { about: 'traction slats and padded handle', Kd: [0.12, 0.12, 0.135], Ks: [0.14, 0.14, 0.14], Ns: 30 },
   accent: { about: 'bumper; its colour tells front from back', Kd: [0.5, 0.5, 0.5], Ks: [0.25, 0.25, 0.25], Ns: 60 },
+  'accent-front': { about: 'what belongs to the front, on a body that does not', Kd: [0.95, 0.42, 0.05], Ks: [0.25, 0.25, 0.25], Ns: 60 },
+  'accent-back': { about: 'what belongs to the back, on a body that does not', Kd: [0.05, 0.36, 0.88], Ks: [0.25, 0.25, 0.25], Ns: 60 },
   shell: { about: 'moulded underside', Kd: [0.22, 0.225, 0.245], Ks: [0.18, 0.18, 0.18], Ns: 40 },
   aluminium: { about: 'torsion bar and wheel core', Kd: [0.74, 0.74, 0.72], Ks: [0.6, 0.6, 0.6], Ns: 120 },
   steel: { about: 'fork, bearings, screws', Kd: [0.56, 0.58, 0.61], Ks: [0.7, 0.7, 0.7], Ns: 180 },

@@ -1,6 +1,6 @@
-import { create, parseDependencies, type MathNode } from 'mathjs/number';
 import { applied, choice, fixed, negated, operators, rateOf, several, unary, variable, type Term } from './expressionTerms.ts';
 import { constants, ExpressionError, MOST_DEPTH, plainText, type PlainText } from './expressionText.ts';
+import { type MathTree, parseMath } from './mathParser.ts';
 
 export { ExpressionError } from './expressionText.ts';
 
@@ -18,8 +18,6 @@ export interface CompiledExpression {
 }
 
 const MOST_NODES = 200;
-
-const { parse } = create({ parseDependencies: parseDependencies! });
 
 /** mathjs' names for the comparisons of a chain `a < b <= c`. */
 const CHAINED = new Map([
@@ -72,9 +70,9 @@ class Compiler {
   }
 
   compile(): Term {
-    let tree: MathNode;
+    let tree: MathTree;
     try {
-      tree = parse(this.source.text);
+      tree = parseMath(this.source.text);
     } catch (error) {
       const message = String((error as Error).message);
       const place = /\(char (\d+)\)/.exec(message);
@@ -159,7 +157,7 @@ class Compiler {
   }
 
   private shown(node: AnyNode): string {
-    const text = String(node as unknown as MathNode);
+    const text = String(node as unknown as MathTree);
     return `"${text.length > 40 ? `${text.slice(0, 39)}…` : text}"`;
   }
 }

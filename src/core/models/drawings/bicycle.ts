@@ -91,7 +91,7 @@ function riderParts(l: Layout): Part[] {
   };
   return [
     { group: 'rider', material: 'cloth', triangles: [
-      ...tube(add(hip, [0, 0, -0.03 * w]), add(neck, [-0.02 * w, 0, -0.04 * w]), 0.125 * w, 22, 0.15 * w), ...ball(hip, 0.13 * w, 24), ...ball(add(neck, [-0.03 * w, 0, -0.08 * w]), 0.148 * w, 24), ...both(leg), ...both(arm),
+      ...tube(add(hip, [0, 0, -0.03 * w]), add(neck, [-0.02 * w, 0, -0.04 * w]), 0.12 * w, 22, 0.135 * w), ...ball(hip, 0.125 * w, 24), ...ball(add(neck, [-0.035 * w, 0, -0.06 * w]), 0.132 * w, 24), ...both(leg), ...both(arm),
     ] },
     { group: 'rider', material: 'paint', triangles: [...tube(add(neck, [-0.01 * w, 0, 0]), add(neck, [0.03 * w, 0, 0.12 * w]), 0.05 * w), ...ball(add(neck, [0.05 * w, 0, 0.2 * w]), 0.105 * w, 28)] },
   ];
@@ -103,7 +103,7 @@ function forkParts(l: Layout): Part[] {
   const [thick, width] = [0.013 * w, 0.055 * w];
   const grip = (side: 1 | -1): [Vec3, Vec3] => [add(bar, [-0.06 * w, side * 0.24 * w, 0.01 * w]), add(bar, [-0.17 * w, side * 0.27 * w, 0])];
   return [
-    { group: 'fork', material: 'accent', triangles: [
+    { group: 'fork', material: 'accent-front', triangles: [
       ...both((side) => pipe([beside(front, side * width), beside(mixPoints(front, crown, 0.8), side * width), beside(crown, side * 0.3 * width)], thick)), ...tube(beside(crown, -0.5 * width), beside(crown, 0.5 * width), 1.6 * thick),
     ] },
     { group: 'stem', material: 'aluminium', triangles: [...tube(mixPoints(crown, head, 0.9), bar, thick), ...both((side) => pipe([bar, beside(add(bar, [0.01 * w, 0, 0.02 * w]), side * 0.14 * w), ...grip(side)], 0.8 * thick))] },
@@ -114,7 +114,10 @@ function forkParts(l: Layout): Part[] {
 
 const shifted = (parts: readonly Part[], origin: Vec3): Part[] => parts.map((part) => ({ ...part, triangles: moved(part.triangles, scale(origin, -1)) }));
 
-/** A bicycle with its rider: two wheels, frame, fork. */
+/**
+ * A bicycle with its rider: two wheels, frame, fork. Both frames are drawn as they stand upright with the steer at zero,
+ * x forward and z up: the rear one from the rear hub, the front one from the front hub.
+ */
 export function bicycle(p: Value): Sketch {
   const layout = layoutOf(p);
   const wheel = (radius: number): Part[] => spokedWheel({ radius, halfWidth: 0.018 * layout.w, spokes: 16, spokeRadius: 0.003 * layout.w });

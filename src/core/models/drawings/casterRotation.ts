@@ -1,6 +1,6 @@
 import { casterBody } from '../caster.ts';
 import { dimensionsOf } from '../dimensions.ts';
-import { type Sketch, sizeOf, type Value } from '../drawing.ts';
+import type { Sketch, Value } from '../drawing.ts';
 import { along, ball, torus, tube } from '../solids.ts';
 import { scale, type Vec3 } from '../vectors.ts';
 
@@ -10,7 +10,7 @@ export function casterRotation(p: Value): Sketch {
   const wheelRadius = p('wheelRadius', 0.04);
   const axis: Vec3 = [Math.sin(angle), 0, Math.cos(angle)];
   const at = (k: number): Vec3 => scale(axis, k);
-  const size = sizeOf(Math.max(Math.abs(drop), wheelRadius));
+  const size = Math.max(Math.abs(drop), Math.abs(wheelRadius), 0.01);
   const thin = 0.02 * size;
   const lowest = Math.min(0, -drop * Math.cos(angle)) - Math.abs(trail * Math.sin(angle)) - 2 * thin;
   const reach = Math.abs(trail) + wheelRadius;

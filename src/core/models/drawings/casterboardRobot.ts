@@ -1,39 +1,44 @@
-import { type Sketch, sizeOf, type Value } from '../drawing.ts';
-import { ball, box, drum, tube } from '../solids.ts';
-import { along } from '../solids.ts';
+import { growthOf, type Sketch, sizeOf, type Value } from '../drawing.ts';
+import { along, ball, drum, link, tube } from '../solids.ts';
+import { alongY } from '../vectors.ts';
 import type { Part } from '../wavefront.ts';
+import { spokedWheel } from '../wheels.ts';
 
-/** An arm on its axis along x: the mass on its upper end. */
-function arm(length: number, mass: number): Part[] {
-  const rod = 0.05 * length;
+/** A plate on the roll axis, with its weight on a rod of length `length` above it. */
+function arm(half: number, length: number, weight: number): Part[] {
+  const [long, wide, thick] = [0.42 * half, 0.3 * half, 0.05 * half];
   return [
-    { group: 'joint', material: 'steel', triangles: drum(along([1, 0, 0], [0, 0, 0]), 3 * rod, 2.4 * rod, 28) },
-    { group: 'arm', material: 'aluminium', triangles: tube([0, 0, 0], [0, 0, length], rod, 18) },
-    { group: 'mass', material: 'accent', triangles: ball([0, 0, length], mass, 28) },
+    { group: 'plate', material: 'deck-rubber', triangles: link([-long, 0], [long, 0], wide, 0.1 * half, 0.1 * half + thick) },
+    { group: 'joint', material: 'steel', triangles: drum(along([1, 0, 0], [0, 0, 0]), 0.11 * half, 0.3 * half, 28) },
+    { group: 'arm', material: 'aluminium', triangles: tube([0, 0, 0.1 * half], [0, 0, length], 0.045 * half, 18) },
+    { group: 'weight', material: 'accent', triangles: ball([0, 0, length], weight, 28) },
   ];
 }
 
-/** A caster on the ground below the axis at `height`: wheel and fork. */
+/** A caster standing on the origin, its fork reaching up to the roll axis at `height`. */
 function caster(height: number): Part[] {
-  const radius = 0.45 * height;
+  const radius = 0.36 * height;
+  const hub = [0, 0, radius] as const;
   return [
-    { group: 'wheel', material: 'grip', triangles: drum(along([0, 1, 0], [0, 0, radius]), radius, 0.3 * radius, 28) },
-    { group: 'fork', material: 'aluminium', triangles: tube([0, 0, 1.05 * radius], [0, 0, height], 0.2 * radius, 16) },
+    ...spokedWheel({ radius, halfWidth: 0.28 * radius, spokes: 5, spokeRadius: 0.06 * radius, tyre: 'urethane', marked: 'urethane', hub }),
+    { group: 'fork', material: 'accent', triangles: [
+      ...[1, -1].flatMap((side) => tube([0, side * 0.45 * radius, radius], [0, side * 0.3 * radius, 2.2 * radius], 0.1 * radius, 12)),
+      ...drum(alongY(hub, [1, 0, 0]), 0.12 * radius, 0.55 * radius, 16), ...tube([0, 0, 2.1 * radius], [0, 0, 0.95 * height], 0.36 * radius, 24),
+    ] },
   ];
 }
 
-/** A bar with an arm and a caster at each end. */
+/** Two plates with weights on one roll axis, a caster under each; the axis lies at half of l1. */
 export function casterboardRobot(p: Value): Sketch {
   const [half, length] = [sizeOf(p('l1', 0.095)), sizeOf(p('l2', 0.115))];
-  const mass = 0.24 * length * Math.cbrt(p('m2', 0.29) / 0.29);
-  const bar = 0.2 * half;
+  const weight = 0.2 * half * growthOf(p('m2', 0.29), 0.29);
   return {
     bodies: {
-      body: { about: 'Body: origin at its centre, bar along x.', parts: [{ group: 'bar', material: 'paint', triangles: box([-half, -bar, -bar], [half, bar, bar], 0.12 * bar) }] },
-      'front-arm': { about: 'Front arm: origin on the bar.', parts: arm(length, mass) },
-      'rear-arm': { about: 'Rear arm: origin on the bar.', parts: arm(length, mass) },
-      'front-wheel': { about: 'Front caster: origin on the ground, heading along x.', parts: caster(half / 2) },
-      'rear-wheel': { about: 'Rear caster: origin on the ground, heading along x.', parts: caster(half / 2) },
+      body: { about: 'Body: origin at its centre, roll axis along x.', parts: [{ group: 'bar', material: 'aluminium', triangles: tube([-half, 0, 0], [half, 0, 0], 0.07 * half, 24) }] },
+      'front-arm': { about: 'Front plate and its weight: origin on the roll axis, weight along z.', parts: arm(half, length, weight) },
+      'rear-arm': { about: 'Rear plate and its weight: origin on the roll axis, weight along z.', parts: arm(half, length, weight) },
+      'front-wheel': { about: 'Front caster: origin where it touches the ground, axle along y.', parts: caster(half / 2) },
+      'rear-wheel': { about: 'Rear caster: origin where it touches the ground, axle along y.', parts: caster(half / 2) },
     },
     stage: { subject: 'body' },
   };

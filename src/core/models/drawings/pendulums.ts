@@ -1,4 +1,4 @@
-import { type Sketch, sizeOf, type Value } from '../drawing.ts';
+import { growthOf, type Sketch, sizeOf, type Value } from '../drawing.ts';
 import { ball, box, drum, tube } from '../solids.ts';
 import { alongY, type Vec3 } from '../vectors.ts';
 import type { Part } from '../wavefront.ts';
@@ -15,12 +15,12 @@ function pendulum(length: number, bob: number, y: number): Part[] {
   ];
 }
 
-const PENDULUM = 'Pendulum: origin at its pivot, x along the rod to the bob.';
+const PENDULUM = 'Pendulum: origin at its pivot, x along the rod to the bob at its centre of mass.';
 
 /** A cart on a rail, its rod beside it, so that it can fall past the rail. */
 export function cartPendulum(p: Value): Sketch {
   const length = sizeOf(p('L', 1));
-  const [cart, bob] = [0.09 * length * Math.cbrt(p('m1', 0.3) / 0.3), 0.055 * length * Math.cbrt(p('m2', 0.1) / 0.1)];
+  const [cart, bob] = [0.12 * length * growthOf(p('m1', 0.3), 0.3), 0.065 * length * growthOf(p('m2', 0.1), 0.1)];
   const [halfLength, halfWidth, wheel] = [1.7 * cart, 0.75 * cart, 0.34 * cart];
   const rail = { top: -0.5 * cart - 1.9 * wheel, half: 4 * length, floor: -1.25 * length };
   const wheels = [1, -1].flatMap((end) => [1, -1].map((side): Vec3 => [end * 0.68 * halfLength, side * 0.55 * halfWidth, rail.top + wheel]));
@@ -52,23 +52,29 @@ export function cartPendulum(p: Value): Sketch {
   };
 }
 
-/** A wheel on the ground that carries a rod on its axle. */
+/** A wheel on the ground that carries on its axle a thin rod of length 2 L (its inertia says so), the centre marked. */
 export function wheelPendulum(p: Value): Sketch {
   const [length, radius] = [sizeOf(p('L', 1)), sizeOf(p('rho', 0.5))];
-  const bob = 0.07 * length * Math.cbrt(p('mP', 1));
+  const thick = 0.03 * length * growthOf(p('mP', 1), 1);
   const halfWidth = 0.07 * radius;
-  const beside = -halfWidth - Math.max(1.15 * bob, 0.05 * length);
+  const beside = -halfWidth - 1.6 * thick;
   return {
     bodies: {
       wheel: {
         about: 'Wheel: origin at the hub, axle along y.',
         parts: [
-          ...spokedWheel({ radius, halfWidth, spokes: 8, spokeRadius: 0.018 * radius }),
-          { group: 'axle', material: 'steel', triangles: tube([0, 0, 0], [0, beside - 0.03 * length, 0], 0.016 * length, 24) },
+          ...spokedWheel({ radius, halfWidth, spokes: 8, spokeRadius: 0.018 * radius, marked: 'accent-back' }),
+          { group: 'axle', material: 'steel', triangles: tube([0, 0, 0], [0, beside - 1.4 * thick, 0], 0.6 * thick, 24) },
         ],
       },
-      pendulum: { about: PENDULUM, parts: pendulum(length, bob, beside) },
+      pendulum: {
+        about: 'Pendulum: origin at the hub, x along the rod.',
+        parts: [
+          { group: 'rod', material: 'accent', triangles: tube([-0.05 * length, beside, 0], [2 * length, beside, 0], thick, 24) },
+          { group: 'centre', material: 'steel', triangles: tube([length - 0.6 * thick, beside, 0], [length + 0.6 * thick, beside, 0], 1.25 * thick, 28) },
+        ],
+      },
     },
-    stage: { subject: 'wheel', facing: 'world', frame: [[-0.75 * length, -0.15 * length, -radius], [0.75 * length, 0.15 * length, 1.1 * length]] },
+    stage: { subject: 'wheel', facing: 'world', frame: [[-1.1 * length, -0.15 * length, -radius], [1.1 * length, 0.15 * length, 2.05 * length]] },
   };
 }

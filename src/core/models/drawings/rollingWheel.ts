@@ -8,7 +8,7 @@ export function rollingWheel(p: Value): Sketch {
     bodies: {
       wheel: {
         about: 'Wheel: origin at the hub, axle along y.',
-        parts: spokedWheel({ radius, halfWidth: 0.06 * radius, spokes: 8, spokeRadius: 0.018 * radius }),
+        parts: spokedWheel({ radius, halfWidth: 0.06 * radius, spokes: 8, spokeRadius: 0.018 * radius, marked: 'accent-back' }),
       },
     },
     stage: { facing: 'axle', frame: [[-1.4 * radius, -0.7 * radius, -radius], [1.4 * radius, 0.7 * radius, 1.1 * radius]] },

@@ -1,0 +1,71 @@
+// npm run cases: runs every built-in case and writes docs/cases.md with its numbers and docs/cases/<id>.svg with its plots.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { cases, type Case } from '../src/core/cases/cases.ts';
+import type { CasePlot } from '../src/core/cases/case.ts';
+import { caseColumns, measured } from '../src/core/cases/measures.ts';
+import { feedbackOf } from '../src/core/control/feedback.ts';
+import { compileExpression } from '../src/core/scenario/expressions.ts';
+import { checkScenario } from '../src/core/scenario/schema.ts';
+import { Simulation } from '../src/core/simulation/simulation.ts';
+import { systems } from '../src/core/systems/registry.ts';
+import { plotSheet, type LinePlotSpec } from './svgPlot.ts';
+
+const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
+/** Points of a curve in closed form. */
+const EXACT_POINTS = 400;
+const PER_DEGREE = 180 / Math.PI;
+
+type Column = (name: string) => Float64Array;
+
+function finished({ scenario: file }: Case): { column: Column; simulation: Simulation } {
+  const scenario = checkScenario(file, metas);
+  const system = systems[scenario.system]!;
+  const simulation = new Simulation(scenario, system, { extras: ['lambda', 'energy', 'residual', 'inputs'], feedback: feedbackOf(scenario, system) });
+  simulation.advance(() => false);
+  const { columns } = simulation.takeChunk();
+  const recorded = new Map(simulation.columns.map((name, i) => [name, columns[i]!]));
+  return { column: caseColumns(system, scenario.parameters, (name) => recorded.get(name)), simulation };
+}
+
+function plotOf(plot: CasePlot, column: Column): LinePlotSpec {
+  const factor = plot.unit === 'deg' ? PER_DEGREE : 1;
+  const x = column(plot.x);
+  const lines = plot.y.map((name) => ({ label: name, x, y: column(name).map((v) => factor * v) }));
+  if (plot.exact) {
+    const { evaluate } = compileExpression(plot.exact.expression, { variables: ['t'] });
+    const end = Math.min(plot.to ?? Infinity, x.at(-1)!);
+    const t = Float64Array.from({ length: EXACT_POINTS + 1 }, (_, i) => (i * end) / EXACT_POINTS);
+    lines.push({ label: plot.exact.label, x: t, y: t.map((time) => factor * evaluate(time)) });
+  }
+  const unit = { deg: '°', '1': '' }[plot.unit as string] ?? plot.unit;
+  return {
+    title: plot.title, lines, to: plot.to, equal: plot.equal,
+    xLabel: plot.x === 't' ? 't, s' : plot.x, yLabel: `${plot.y.join(', ')}${unit ? `, ${unit}` : ''}`,
+  };
+}
+
+function section(one: Case): string {
+  const { column, simulation } = finished(one);
+  const { id, title, source, look, published = [], plots = [] } = one;
+  writeFileSync(new URL(`${id}.svg`, folder), plotSheet(plots.map((plot) => plotOf(plot, column))));
+  const { reason, time } = simulation.end!;
+  const numbers = published.map(({ what, measure, value, unit = '', tolerance, source: from }) =>
+    `| ${what} | ${short(measured(measure, column))} ${unit} | ${short(value)} ${unit} | ${tolerance.toExponential().replace('e', ' × 10^').replace('+', '')} | ${from} |`);
+  return [
+    `## ${title}`, '', `\`${id}\` · ${systems[one.scenario.system]!.meta.title}${source ? ` · ${source}` : ''}`, '', look, '',
+    `Ends: ${reason === 'end' ? 'complete' : reason} at ${short(time)} s.`, '',
+    ...(numbers.length > 0 ? ['| what | here | known | within | from |', '|---|---|---|---|---|', ...numbers, ''] : []),
+    `![${title}: ${plots.map((p) => p.title).join('; ')}](cases/${id}.svg)`, '',
+  ].join('\n');
+}
+
+const short = (x: number): string => String(Number(x.toPrecision(6)));
+const folder = new URL('../docs/cases/', import.meta.url);
+mkdirSync(folder, { recursive: true });
+const head = [
+  '# Cases', '',
+  'Every built-in case, run by `npm run cases`, which writes this page: what to look at, what is known about it beside what came out, and its plots.',
+  'The same cases are in the page, `npm run ripstik -- cases`, and `tests/conformance/cases.test.ts`.', '', '',
+].join('\n');
+writeFileSync(new URL('../docs/cases.md', import.meta.url), head + cases.map(section).join('\n'));
+console.log(`${cases.length} cases written to docs/cases.md and docs/cases/`);

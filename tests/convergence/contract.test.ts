@@ -132,3 +132,57 @@ test('an implicit equation without a solution is a failure called newton', () =>
   expect(stepper.step(10)).toBe('newton');
   expect([stepper.t, stepper.y[0]]).toEqual([0, 1]);
 });
+
+describe.each(cases)('projection within the step: $name', (c) => {
+  /** The unit circle at speed 1, and a projection that counts. */
+  const circle = (): OdeProblem & { projected: number } => {
+    const p = {
+      ...problem(2, (_t, y, out) => {
+        out[0] = -y[1]!;
+        out[1] = y[0]!;
+      }),
+      projected: 0,
+      project(_t: number, y: Float64Array): boolean {
+        p.projected++;
+        const r = Math.hypot(y[0]!, y[1]!);
+        y[0]! /= r;
+        y[1]! /= r;
+        return true;
+      },
+    };
+    return p;
+  };
+
+  test('a stepper that projects does so at every step, keeps the slope made there, and reads between projected ends', () => {
+    const p = circle();
+    const stepper = stepperOf(c, p, { rtol: 1e-4, atol: 1e-4 });
+    stepper.reset(0, Float64Array.of(1, 0));
+    const at = new Float64Array(2);
+    const off: number[] = [];
+    expect(run(stepper, 6, () => {
+      off.push(Math.abs(Math.hypot(stepper.y[0]!, stepper.y[1]!) - 1));
+      stepper.interpolate(stepper.t, at);
+      expect(distance(at, stepper.y)).toBeLessThan(1e-14);
+    })).toBeNull();
+    const { steps, rejected, evaluations } = stepper.counters;
+    if (!stepper.projects) return expect(p.projected).toBe(0);
+    expect(Math.max(...off)).toBeLessThan(1e-15);
+    expect(p.projected).toBeGreaterThanOrEqual(steps);
+    // 6 or 11 new stages with the slope at the end; the first step adds its own slope and the guess of its length.
+    const most = c.id === 'dopri5' ? 6 : 12;
+    expect(evaluations).toBeLessThanOrEqual(most * (steps + rejected) + 2 + 3 * steps * Number(c.id === 'dop853'));
+    expect(distance(stepper.y, [Math.cos(6), Math.sin(6)])).toBeLessThan(1e-2);
+  });
+
+  test('a projection that fails refuses the step', () => {
+    const p = circle();
+    p.project = () => false;
+    const stepper = stepperOf(c, p, { rtol: 1e-4, atol: 1e-4, step: 0.1 });
+    stepper.reset(0, Float64Array.of(1, 0));
+    const failure = stepper.step(6);
+    if (stepper.projects) {
+      expect(failure).not.toBeNull();
+      expect([stepper.t, ...stepper.y]).toEqual([0, 1, 0]);
+    } else expect(failure).toBeNull();
+  });
+});

@@ -185,6 +185,11 @@ export class ConstrainedSystem {
     return done;
   }
 
+  /** Whether the factors at hand are of a state at this time: then of one near the end of the step being taken. */
+  isFactoredAt(t: number): boolean {
+    return this.prepared === 'factored' && t === this.preparedT;
+  }
+
   private isPrepared(t: number, q: Float64Array, v: Float64Array): boolean {
     if (this.prepared === 'no' || t !== this.preparedT) return false;
     const { n, preparedQ, preparedV } = this;
@@ -205,18 +210,11 @@ export class ConstrainedSystem {
     this.kernels.solve(this.massMatrix, this.inverse, this.Y, this.S, this.inverseS, f, g);
   }
 
-  /** Solves S x = b in place of b (m), after `factor`. */
-  solveS(b: Float64Array): void {
-    this.kernels.schur.forward(this.S, this.inverseS, b);
-    this.kernels.schur.back(this.S, this.inverseS, b);
-  }
-
-  /** x += M^-1 Omega^T w, after `factor`; `w` has m entries. */
-  addWeighted(w: Float64Array, x: Float64Array): void {
-    const { n, m, Y, row } = this;
-    row.fill(0);
-    for (let r = 0; r < m; r++) for (let k = 0; k < n; k++) row[k]! += Y[r * n + k]! * w[r]!;
-    this.kernels.mass.back(this.massMatrix, this.inverse, row);
+  /** After `factor`: adds to x (n) the smallest change in the mass metric that changes Omega x by `change` (m; used up). */
+  shift(change: Float64Array, x: Float64Array): void {
+    const { n, row } = this;
+    for (let k = 0; k < n; k++) row[k] = 0;
+    this.solveSaddle(row, change);
     for (let k = 0; k < n; k++) x[k]! += row[k]!;
   }
 

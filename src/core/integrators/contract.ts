@@ -12,6 +12,11 @@ export interface OdeProblem {
   derivative(t: number, y: Float64Array, out: Float64Array): boolean;
   /** Exact df/dy (dimension x dimension, row-major) where the problem has one; implicit methods else use differences. */
   jacobian?(t: number, y: Float64Array, out: Float64Array): boolean;
+  /**
+   * Moves y, the proposed end of a step, in place onto the manifold that holds the solutions; false where it cannot. A
+   * stepper that evaluates f at the end of its steps calls it before it does so (and says that it `projects`).
+   */
+  project?(t: number, y: Float64Array): boolean;
   readonly failure: string | null;
 }
 
@@ -42,6 +47,8 @@ export interface Stepper {
   /** Start of the last accepted step. */
   readonly previousT: number;
   readonly counters: Counters;
+  /** Its steps end where `problem.project` puts them: nobody else need project them. */
+  readonly projects?: true;
   /** Starts anew at (t, y). */
   reset(t: number, y: Float64Array): void;
   /** One accepted step that ends at `limit` at the latest (exactly there if it would come close). Null, or why not. */

@@ -39,6 +39,7 @@ export class Dop853 implements Stepper {
   previousT = 0;
   readonly y: Float64Array;
   readonly counters = zeroCounters();
+  readonly projects = true;
 
   private readonly problem: OdeProblem;
   private readonly options: StepperOptions;
@@ -105,7 +106,7 @@ export class Dop853 implements Stepper {
       // An evaluation that has no value counts as an error without bound: a shorter step may go around it.
       let error = this.stages(h) ? this.errorOf(h) : Infinity;
       // The slope at the new state is made last, for a step that is good otherwise.
-      if (error <= 1 && !(this.f(this.t + h, this.yNew, k[STAGES]!) && allFinite(k[STAGES]!))) error = Infinity;
+      if (error <= 1 && !this.lastSlope(h)) error = Infinity;
       if (error <= 1) {
         this.accept(h, limit, error);
         return null;
@@ -138,6 +139,12 @@ export class Dop853 implements Stepper {
   private f(t: number, y: Float64Array, out: Float64Array): boolean {
     this.counters.evaluations++;
     return this.problem.derivative(t, y, out);
+  }
+
+  private lastSlope(h: number): boolean {
+    const { problem, yNew, k } = this;
+    const t = this.t + h;
+    return (!problem.project || problem.project(t, yNew)) && this.f(t, yNew, k[STAGES]!) && allFinite(k[STAGES]!);
   }
 
   /** Stages 2 to 12 and the new state. */

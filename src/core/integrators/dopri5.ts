@@ -40,26 +40,33 @@ export class Dopri5 implements Stepper {
   previousT = 0;
   readonly y: Float64Array;
   readonly counters = zeroCounters();
+  readonly projects = true;
 
   private readonly problem: OdeProblem;
   private readonly options: StepperOptions;
   private readonly controller = new PiController(ORDER);
-  private readonly k: Float64Array[];
+  /** Slopes of the step being tried, and of the last accepted one: they change places when a step is accepted. */
+  private k: Float64Array[];
+  private kept: Float64Array[];
   private readonly yNew: Float64Array;
   private readonly error: Float64Array;
+  /** Coefficients of the dense output, made when first asked for: most steps are never looked into. */
   private readonly dense: [Float64Array, Float64Array, Float64Array, Float64Array, Float64Array];
+  private denseMade = false;
   private h = 0;
   private stepTaken = 0;
   private fresh = false;
 
   constructor(problem: OdeProblem, options: StepperOptions) {
     const vector = (): Float64Array => new Float64Array(problem.dimension);
+    const slopes = (): Float64Array[] => Array.from({ length: STAGES }, vector);
     this.problem = problem;
     this.options = options;
     this.y = vector();
     this.yNew = vector();
     this.error = vector();
-    this.k = Array.from({ length: STAGES }, vector);
+    this.k = slopes();
+    this.kept = slopes();
     this.dense = [vector(), vector(), vector(), vector(), vector()];
   }
 
@@ -99,6 +106,7 @@ export class Dopri5 implements Stepper {
   }
 
   interpolate(t: number, out: Float64Array): void {
+    if (!this.denseMade) this.makeDense();
     const s = (t - this.previousT) / this.stepTaken;
     const r = 1 - s;
     const [r1, r2, r3, r4, r5] = this.dense;
@@ -114,9 +122,10 @@ export class Dopri5 implements Stepper {
 
   /** Stages 2 to 7, the new state and the error estimate. The seventh stage is the next step's first. */
   private stages(h: number): boolean {
-    const { k, y, yNew, error } = this;
+    const { k, y, yNew, error, problem } = this;
     for (let s = 1; s < STAGES; s++) {
       stageState(y, h, A[s]!, k, yNew);
+      if (s === STAGES - 1 && problem.project && !problem.project(this.t + h, yNew)) return false;
       if (!this.f(this.t + C[s]! * h, yNew, k[s]!)) return false;
     }
     weightedSum(E, k, error);
@@ -125,28 +134,38 @@ export class Dopri5 implements Stepper {
   }
 
   private accept(h: number, limit: number, error: number): void {
-    const { k, y, yNew } = this;
+    const { k, kept, y, yNew, dense } = this;
+    dense[0].set(y);
+    dense[1].set(yNew);
+    this.denseMade = false;
+    this.previousT = this.t;
+    this.stepTaken = h;
+    this.t = h === limit - this.t ? limit : this.t + h;
+    y.set(yNew);
+    this.k = kept;
+    this.kept = k;
+    kept[0]!.set(k[6]!);
+    this.counters.steps++;
+    // A step cut short by the limit says nothing about how long the next may be.
+    const next = h * this.controller.accept(error);
+    this.h = h < this.h ? Math.max(this.h, next) : next;
+  }
+
+  /** Of the last accepted step, whose two ends wait in the first two coefficients. */
+  private makeDense(): void {
+    const { kept: k, stepTaken: h } = this;
     const [r1, r2, r3, r4, r5] = this.dense;
     const first = k[0]!;
     const last = k[6]!;
     weightedSum(D, k, r5);
-    for (let i = 0; i < y.length; i++) {
-      const difference = yNew[i]! - y[i]!;
+    for (let i = 0; i < r1.length; i++) {
+      const difference = r2[i]! - r1[i]!;
       const bulge = h * first[i]! - difference;
-      r1[i] = y[i]!;
       r2[i] = difference;
       r3[i] = bulge;
       r4[i] = difference - h * last[i]! - bulge;
       r5[i]! *= h;
     }
-    this.previousT = this.t;
-    this.stepTaken = h;
-    this.t = h === limit - this.t ? limit : this.t + h;
-    y.set(yNew);
-    k[0]!.set(k[6]!);
-    this.counters.steps++;
-    // A step cut short by the limit says nothing about how long the next may be.
-    const next = h * this.controller.accept(error);
-    this.h = h < this.h ? Math.max(this.h, next) : next;
+    this.denseMade = true;
   }
 }

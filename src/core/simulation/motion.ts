@@ -4,7 +4,7 @@ import { formulations } from '../dynamics/formulations/formulations.ts';
 import { createFormulation } from '../dynamics/formulations/registry.ts';
 import { StabilizedDae } from '../dynamics/stabilizedDae.ts';
 import { FirstOrder, FirstOrderResidual } from '../dynamics/firstOrder.ts';
-import type { Stepper } from '../integrators/contract.ts';
+import type { OdeProblem, Stepper } from '../integrators/contract.ts';
 import { Ida } from '../integrators/ida.ts';
 import { methods, type MethodInfo } from '../integrators/methods.ts';
 import { createStepper } from '../integrators/registry.ts';
@@ -14,6 +14,8 @@ import { ScenarioError, type MethodOptions } from '../scenario/types.ts';
 export interface Motion {
   map: StateMap;
   stepper: Stepper;
+  /** The stepper's, for a projection of its steps' ends. `ida` has none: its residual is stabilized. */
+  problem?: OdeProblem;
 }
 
 /**
@@ -34,7 +36,7 @@ export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Mo
   const id = method.formulation ?? formulations[0].id;
   const formulation = createFormulation(id, dynamics);
   if (!formulation) throw new ScenarioError('method.formulation', `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`);
-  return { map: formulation, stepper: createStepper(info.id, formulation, method)! };
+  return { map: formulation, stepper: createStepper(info.id, formulation, method)!, problem: formulation };
 }
 
 /** There is nothing to formulate, so any formulation is the same. */

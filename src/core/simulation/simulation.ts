@@ -76,6 +76,7 @@ export class Simulation {
   /** The formulation, or the residual of `ida`. */
   private readonly formulation: StateMap;
   private readonly stepper: Stepper;
+  private readonly projecting: boolean;
   /** Work before the stepper was last restarted. */
   private readonly earlier = zeroCounters();
   /** For rows, so that a look between steps leaves the factors of the step's end alone. */
@@ -132,9 +133,11 @@ export class Simulation {
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
-    const { map, stepper } = motionOf(scenario.method, this.dynamics);
+    const { map, stepper, problem } = motionOf(scenario.method, this.dynamics);
     this.formulation = map;
     this.stepper = stepper;
+    this.projecting = scenario.method.projection && this.dynamics.m > 0;
+    if (this.projecting && problem) problem.project = (t, y) => this.projectEnd(t, y);
     this.sample = new Float64Array(this.stepper.y.length);
     this.begin(from?.time ?? 0);
     if (from) {
@@ -194,15 +197,14 @@ export class Simulation {
     const { stepper, formulation, scenario, endQ: q, endV: v } = this;
     const failure = stepper.step(scenario.duration);
     if (failure) return this.stop(failure, failureMessage(failure, stepper.t));
-    formulation.toState(stepper.y, q, v);
-    if (scenario.method.projection && this.dynamics.m > 0) {
-      if (!this.projection.project(stepper.t, q, v)) {
+    if (this.projecting && !stepper.projects) {
+      if (!this.projectEnd(stepper.t, stepper.y)) {
         const reason = this.dynamics.failure ?? 'constraint-singular';
         return this.stop(reason, failureMessage(reason, stepper.previousT));
       }
-      formulation.fromState(q, v, stepper.y);
       stepper.stateChanged();
     }
+    formulation.toState(stepper.y, q, v);
     const crossing = this.findCrossing();
     if (crossing) {
       this.emitBefore(crossing.time);
@@ -220,6 +222,15 @@ export class Simulation {
     }
     // Last, because the dense output of the step is in the old meaning of y.
     if (formulation.rebase(q, v)) this.restart();
+  }
+
+  /** Puts y, the end of a step, on the constraint manifold. */
+  private projectEnd(t: number, y: Float64Array): boolean {
+    const { formulation, endQ: q, endV: v } = this;
+    formulation.toState(y, q, v);
+    if (!this.projection.project(t, q, v)) return false;
+    formulation.fromState(q, v, y);
+    return true;
   }
 
   /** The formulation changed the meaning of y: the stepper starts anew from the end of the last step. */
@@ -278,7 +289,7 @@ export class Simulation {
     const { sampleQ: q, sampleV: v } = this;
     for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
       this.lookAt(middle);
-      if (this.scenario.method.projection) this.projection.project(middle, q, v);
+      if (this.projecting) this.projection.project(middle, q, v);
       if (event.value(middle, q, v) > 0) low = middle;
       else high = middle;
     }
@@ -288,7 +299,7 @@ export class Simulation {
   /** One row: the state in `sampleQ`, `sampleV`, projected if projection is on, and what is derived from it. */
   private emit(time: number): void {
     const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
-    if (this.scenario.method.projection) this.rowProjection.project(time, q, v);
+    if (this.projecting) this.rowProjection.project(time, q, v);
     if (this.rows >= this.chunk[0]!.length) this.grow();
     const row = this.rows++;
     let c = 0;

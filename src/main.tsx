@@ -5,9 +5,7 @@ import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
-import { plotLocus } from './analysisBridge.ts';
-import { download } from './app/download.ts';
-import { plotComparison, saveOutcomes, savePicture } from './comparisonBridge.ts';
+import { tools } from './tools/tools.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
 
@@ -19,7 +17,7 @@ const app = createApp(
     csv: () => new Worker(new URL('./io/csv.worker.ts', import.meta.url), { type: 'module' }),
     control: () => new Worker(new URL('./worker/control.worker.ts', import.meta.url), { type: 'module' }),
   },
-  { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches },
+  { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches, roomy: innerWidth >= 1200 },
   comparison,
 );
 const stage = stageOf(app);
@@ -31,8 +29,7 @@ render(
     methods={methods.map(({ id, label, adaptive }) => ({ id, label, adaptive }))}
     formulations={formulations}
     origin={app.state.origin}
-    comparing={{ comparison, plot: (...args) => plotComparison(app, ...args), saveTable: saveOutcomes, savePicture }}
-    analysing={{ plot: (...args) => plotLocus(app, ...args), save: (name, content, type) => download(name, [content], type) }}
+    tools={tools}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}

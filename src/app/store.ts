@@ -30,11 +30,13 @@ export interface Workers {
 export interface Preferences {
   dark: boolean;
   reducedMotion: boolean;
+  /** Room for a tool beside the scene from the start. */
+  roomy: boolean;
 }
 
 /** The application: state as signals, and the only code that changes it. */
 export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison): App {
-  const state = initialState(preferences.dark);
+  const state = initialState(preferences);
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
@@ -93,6 +95,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     samples,
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
+    comparison,
     control: new ControlClient(() => workers.control(), systemMetas),
     locus: new LocusClient(() => workers.control(), systemMetas),
   };
@@ -111,7 +114,7 @@ function keepDrafts(state: AppState): void {
   });
 }
 
-function initialState(prefersDark: boolean): AppState {
+function initialState({ dark, roomy }: Preferences): AppState {
   const draft = signal<ScenarioFile>(caseInfos[0]!.scenario);
   return {
     draft,
@@ -131,7 +134,8 @@ function initialState(prefersDark: boolean): AppState {
     follow: signal(true),
     showTrails: signal(true),
     showForces: signal(false),
-    theme: signal(prefersDark ? 'dark' : 'light'),
+    theme: signal(dark ? 'dark' : 'light'),
+    tool: signal(roomy ? 'now' : null),
     messages: signal([]),
     pendingFile: signal(null),
     meshes: signal(new Map()),

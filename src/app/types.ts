@@ -1,6 +1,6 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
-import type { Contender } from './comparison.ts';
+import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
@@ -106,6 +106,8 @@ export interface AppState {
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
   theme: Signal<'light' | 'dark'>;
+  /** Which tool is open beside the scene, by id; null when none is. */
+  tool: Signal<string | null>;
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
@@ -170,4 +172,5 @@ export interface App {
   /** Linearization and design, computed aside. */
   control: ControlClient;
   locus: LocusClient;
+  comparison: Comparison;
 }

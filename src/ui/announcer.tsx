@@ -4,7 +4,7 @@ import { useEffect } from 'preact/hooks';
 import type { Ui } from './context.ts';
 import { useUi } from './context.ts';
 import { formatTime } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 export function Announcer() {
   const ui = useUi();

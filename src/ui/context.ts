@@ -7,6 +7,7 @@ import type { App, CaseInfo } from '../app/types.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import { sameContent } from './draft.ts';
+import type { Tool } from './tool.ts';
 
 export interface MethodChoice {
   id: string;
@@ -24,6 +25,8 @@ export interface Ui {
   app: App;
   methods: readonly MethodChoice[];
   formulations: readonly FormulationChoice[];
+  /** The places to work in beside the scene. */
+  tools: readonly Tool[];
   /** The case the draft came from; fields are compared with it. */
   origin: ReadonlySignal<CaseInfo | null>;
   /** Rises when the draft is replaced as a whole: fields then forget rejected text. */
@@ -41,10 +44,10 @@ export function useUi(): Ui {
   return ui;
 }
 
-export function createUi(app: App, methods: readonly MethodChoice[], formulations: readonly FormulationChoice[], origin?: ReadonlySignal<CaseInfo | null>): Ui {
+export function createUi(app: App, methods: readonly MethodChoice[], formulations: readonly FormulationChoice[], tools: readonly Tool[], origin?: ReadonlySignal<CaseInfo | null>): Ui {
   const epoch = signal(0);
   return {
-    app, methods, formulations, epoch,
+    app, methods, formulations, tools, epoch,
     origin: origin ?? lastMatchingCase(app),
     rejected: signal<ReadonlyMap<string, string>>(new Map()),
     system: computed(() => app.systemOf(app.state.draft.value.system)),

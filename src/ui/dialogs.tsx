@@ -7,11 +7,11 @@ import { useUi } from './context.ts';
 import { Icon } from './controls.tsx';
 import { formatShort } from './format.ts';
 import { NumberField } from './numberField.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { numberOf } from './useNumberField.ts';
 
 /** A modal dialog: focus goes in, stays in and comes back; Escape closes. */
-export function Dialog({ title, testId, wide, onClose, children }: { title: string; testId: string; wide?: boolean; onClose(): void; children: ComponentChildren }) {
+export function Dialog({ title, testId, onClose, children }: { title: string; testId: string; onClose(): void; children: ComponentChildren }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => {
@@ -27,7 +27,7 @@ export function Dialog({ title, testId, wide, onClose, children }: { title: stri
     };
   }, []);
   return (
-    <dialog ref={dialog} class={wide ? 'wide' : undefined} aria-labelledby={id} data-testid={testId} onCancel={(event) => { event.preventDefault(); onClose(); }}
+    <dialog ref={dialog} aria-labelledby={id} data-testid={testId} onCancel={(event) => { event.preventDefault(); onClose(); }}
       onClick={(event) => { if (event.target === dialog.current) onClose(); }}>
       <div class="dialog-body">
         <div class="dialog-head">

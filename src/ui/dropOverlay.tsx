@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { replaceDraft, useUi } from './context.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 /** Files may be dropped anywhere on the page. */
 export function DropOverlay() {

@@ -6,7 +6,7 @@ import { MethodSection, TimeSection } from './methodSection.tsx';
 import { ParametersSection } from './parametersSection.tsx';
 import { StartSection } from './startSection.tsx';
 import { SystemSection } from './systemSection.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 export function Experiment() {
   return (

@@ -7,7 +7,7 @@ import { setRejected, useUi } from './context.ts';
 import { plainText } from './format.ts';
 import { FieldError } from './numberField.tsx';
 import { MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 function problemOf(expression: string): string | null {
   try {

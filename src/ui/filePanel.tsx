@@ -1,6 +1,6 @@
 import { useUi } from './context.ts';
 import { formatCount } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 const SHOWN = 100;
 

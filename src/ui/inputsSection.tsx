@@ -8,7 +8,7 @@ import { later } from './later.tsx';
 import { firstLqr } from './lqrWeights.ts';
 import { NumberField } from './numberField.tsx';
 import { MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
 const LqrPanel = later(async () => (await import('./lqrPanel.tsx')).LqrPanel);

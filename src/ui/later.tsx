@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 /** A component whose code is loaded when it is first shown, so that the first view need not wait for it. */
 export function later<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {

@@ -9,7 +9,7 @@ import { formatShort } from './format.ts';
 import { LqrReadout } from './lqrReadout.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from './numberField.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { numberOf } from './useNumberField.ts';
 
 /** Sliders run over powers of ten; the leftmost place of a state's weight is no weight at all. */

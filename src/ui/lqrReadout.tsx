@@ -4,7 +4,7 @@ import type { Answer } from '../app/controlClient.ts';
 import type { ControlAnalysis } from '../core/control/analysis.ts';
 import { useUi } from './context.ts';
 import { formatScientific, formatShort } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 const WIDTH = 288;
 const HEIGHT = 150;

@@ -2,7 +2,7 @@ import type { Message } from '../app/types.ts';
 import { useEffect } from 'preact/hooks';
 import { useUi } from './context.ts';
 import { Icon } from './controls.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 const LINGER = 6000;
 

@@ -4,7 +4,7 @@ import { edit, useUi } from './context.ts';
 import { Check, Choice, Section } from './controls.tsx';
 import { withKey, withMethod } from './draft.ts';
 import { NumberField } from './numberField.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
 const methodDefaults = { name: DEFAULTS.method, formulation: DEFAULTS.formulation, rtol: DEFAULTS.rtol, atol: DEFAULTS.atol, projection: true } as const;

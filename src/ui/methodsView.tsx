@@ -8,7 +8,7 @@ import type { MethodOptions } from '../core/scenario/types.ts';
 import { useUi } from './context.ts';
 import { Check } from './controls.tsx';
 import { formatCount, formatScientific, formatShort } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 /** Curves of all methods, told apart by colour and dash. */
 export const CURVES: readonly { color: string; dash?: readonly number[] }[] = [
@@ -33,12 +33,12 @@ export function Methods(props: MethodsProps) {
     chosen.value = methodSets.find((s) => s.id === id) ?? chosen.value;
   };
   return (
-    <>
+    <div class="scroll methods-tool">
       <p><label>{text.methods.set} <select data-testid="methods-set" value={chosen.value.id} onChange={(e) => choose(e.currentTarget.value)}>
         {methodSets.map((s) => <option key={s.id} value={s.id}>{s.label}</option>)}
       </select></label></p>
       <SetOfMethods key={chosen.value.id} {...props} set={chosen.value} />
-    </>
+    </div>
   );
 }
 

@@ -5,11 +5,23 @@ import type { Motion } from '../app/types.ts';
 import type { CoordinateMeta } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 import { useUi } from './context.ts';
+import { FilePanel } from './filePanel.tsx';
 import { formatFixed, formatTime, formatValue, THIN } from './format.ts';
 import { Chip, MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 const INTERVAL = 1000 / 15;
+
+/** With what is to be said about a file, where the motion is one. */
+export function NowTool() {
+  const isFile = useUi().app.state.motion.value?.source === 'file';
+  return (
+    <div class="scroll">
+      <NowPanel />
+      {isFile && <section class="file-section" aria-label={text.panel.file}><h3>{text.panel.file}</h3><FilePanel /></section>}
+    </div>
+  );
+}
 
 export function NowPanel() {
   const { state } = useUi().app;

@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks';
 import { formatQuantity, formatShort, isExpression, toShown } from './format.ts';
 import { MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { numberOf, useNumberField } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
 

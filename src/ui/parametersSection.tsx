@@ -3,7 +3,7 @@ import { edit, useUi } from './context.ts';
 import { Choice, Section } from './controls.tsx';
 import { parameterDefault, withEntry, withParameterSet } from './draft.ts';
 import { NumberField } from './numberField.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { numberOf } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
 

@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useUi } from './context.ts';
 import { formatTime, THIN } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { fraction, timelineOf } from './timeline.ts';
 import type { Timeline } from './timeline.ts';
 

@@ -4,7 +4,7 @@ import type { ViewName } from '../app/types.ts';
 import { hasCloseUp } from '../core/models/roster.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 const views: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
 

@@ -8,7 +8,7 @@ import { withEntry } from './draft.ts';
 import { formatQuantity } from './format.ts';
 import { FieldError, NumberBox } from './numberField.tsx';
 import { Chip, MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 import { useNumberField } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
 

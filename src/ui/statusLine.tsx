@@ -3,7 +3,7 @@ import type { Motion } from '../app/types.ts';
 import { DEFAULTS } from '../core/scenario/defaults.ts';
 import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 /** Ends that nothing went wrong in; only the others are red. */
 const EXPECTED: ReadonlySet<string> = new Set(['end', 'cancelled', 'touchdown']);

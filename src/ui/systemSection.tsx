@@ -2,7 +2,7 @@ import { edit, replaceDraft, useUi } from './context.ts';
 import { Choice, Section, Toggle } from './controls.tsx';
 import { withKey } from './draft.ts';
 import { MathSymbol } from './symbol.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
 export function SystemSection() {
   const ui = useUi();

@@ -4,9 +4,9 @@ import { replaceDraft, useUi } from './context.ts';
 import { Icon } from './controls.tsx';
 import { sameContent } from './draft.ts';
 import { Menu } from './menu.tsx';
-import { text } from './text.ts';
+import { text } from '../text/page.ts';
 
-export function TopBar({ keysOpen, methodsOpen, analysisOpen }: { keysOpen: Signal<boolean>; methodsOpen: Signal<boolean>; analysisOpen: Signal<boolean> }) {
+export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
   const ui = useUi();
   const { state, actions } = ui.app;
   const theme = state.theme.value;
@@ -15,8 +15,6 @@ export function TopBar({ keysOpen, methodsOpen, analysisOpen }: { keysOpen: Sign
       <h1 class="wordmark">{text.name}</h1>
       <CaseMenu />
       <span class="spring" />
-      <button type="button" class="quiet" data-testid="analysis-open" aria-expanded={analysisOpen.value} onClick={() => { analysisOpen.value = !analysisOpen.value; }} aria-label={text.analysis.open} title={text.analysis.open}><Icon name="analysis" /><span class="word">{text.analysis.open}</span></button>
-      <button type="button" class="quiet" data-testid="methods" onClick={() => { methodsOpen.value = true; }} aria-label={text.methods.open} title={text.methods.open}><Icon name="methods" /><span class="word">{text.methods.open}</span></button>
       <OpenButton />
       {ui.app.samples.length > 0 && (
         <Menu label={text.top.samples} title={text.top.samplesTitle} testId="sample-menu" align="right"

@@ -19,7 +19,7 @@ test('the upright board: at rest, at 1 m/s, its orders, a point that is none', a
   const watch = await openPage(page);
   await chooseCase(page, 'released');
   await ended(page, 2, 'touchdown');
-  await page.getByTestId('analysis-open').click();
+  await page.getByTestId('tool-analysis').click();
   await ready(page);
   // At rest: the fastest growth, and what it is where the constraint Jacobian is frozen.
   expect((await eigenvaluesIn(page, 'modes-open'))[0]).toBe('10.99');
@@ -50,9 +50,9 @@ test('the upright board: at rest, at 1 m/s, its orders, a point that is none', a
   await typeIn(page, 'point-alpha_fp', '');
   await ready(page);
 
-  await page.getByTestId('analysis-close').click();
-  await expect(page.getByTestId('analysis-panel')).toHaveCount(0);
-  await expect(page.getByTestId('analysis-open')).toBeFocused();
+  await page.getByTestId('fold-right').click();
+  await expect(page.getByTestId('tool-panel-analysis')).toHaveCount(0);
+  await expect(page.getByTestId('tool-analysis')).toBeFocused();
   expect(watch.errors).toEqual([]);
   expect(await page.evaluate(() => window.cspViolations)).toEqual([]);
 });
@@ -61,7 +61,7 @@ test('a balanced board: closed loop, gains as JSON, root locus computed, walked,
   const watch = await openPage(page);
   await chooseCase(page, 'balanced');
   await ended(page, 2, 'end');
-  await page.getByTestId('analysis-open').click();
+  await page.getByTestId('tool-analysis').click();
   await ready(page);
   const closed = (await eigenvaluesIn(page, 'modes-closed')).map(plain);
   expect(Math.max(...closed)).toBe(0);

@@ -85,7 +85,7 @@ test('a partly bad CSV plays the rest and lists the row', async ({ page }) => {
   await expect(endTime(page)).toHaveText(/^1\.000\s/);
   await expect(page.getByTestId('rows')).toHaveText('2 rows');
   await expect(page.getByTestId('skipped')).toBeVisible();
-  await page.getByTestId('fold-right').click();
+  await page.getByTestId('tool-now').click();
   const issue = page.getByTestId('issues').getByRole('listitem').filter({ hasText: 'line 3' });
   await expect(issue).toContainText('column psi');
   await expect(issue).toContainText('"abc"');

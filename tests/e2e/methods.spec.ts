@@ -11,7 +11,7 @@ test('methods are compared on the scenario in the panel: table, curves, cancel, 
   const watch = await openPage(page);
   await chooseCase(page, 'released');
   await ended(page, 2, 'touchdown');
-  await page.getByTestId('methods').click();
+  await page.getByTestId('tool-methods').click();
   const row = (id: string) => page.getByTestId(`method-row-${id}`);
   for (const id of CHOSEN) await row(id).getByRole('checkbox').check();
   await page.getByTestId('methods-run').click();
@@ -28,6 +28,6 @@ test('methods are compared on the scenario in the panel: table, curves, cancel, 
   expect(lines).toHaveLength(1 + CHOSEN.length);
   expect(lines[0]).toContain('computing_s,output_s,steps');
   await page.keyboard.press('Escape');
-  await expect(page.getByTestId('methods-dialog')).toHaveCount(0);
+  await expect(page.getByTestId('tool-panel-methods')).toBeHidden();
   expect(watch.errors).toEqual([]);
 });

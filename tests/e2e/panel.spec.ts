@@ -5,7 +5,7 @@ test.use({ viewport: VIEWPORT });
 
 test('fields read degrees and expressions, refuse nonsense, and show what the start became', async ({ page }) => {
   await openPage(page);
-  await page.getByTestId('fold-right').click();
+  await page.getByTestId('tool-now').click();
   const field = page.getByTestId('initial-alpha_fp');
   const plateAngle = page.getByTestId('now-alpha_fp');
 

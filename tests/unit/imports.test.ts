@@ -5,17 +5,17 @@ import { expect, test } from 'vitest';
 
 const MAY_IMPORT: Record<string, readonly string[]> = {
   core: [],
+  text: [],
   io: ['core'],
   worker: ['core'],
   scene: ['core'],
   charts: ['core'],
   cli: ['core', 'io'],
-  app: ['core', 'io', 'worker'],
-  ui: ['core', 'app'],
+  app: ['core', 'io', 'worker', 'text'],
+  ui: ['core', 'app', 'text'],
+  tools: ['core', 'io', 'charts', 'app', 'ui', 'text'],
   sceneBridge: ['core', 'scene', 'app'],
-  comparisonBridge: ['core', 'charts', 'app'],
-  analysisBridge: ['core', 'charts', 'app'],
-  main: ['core', 'io', 'worker', 'sceneBridge', 'comparisonBridge', 'analysisBridge', 'charts', 'app', 'ui'],
+  main: ['core', 'io', 'worker', 'sceneBridge', 'app', 'ui', 'tools', 'text'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts' };

@@ -4,7 +4,7 @@ import { useEffect } from 'preact/hooks';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { useUi } from '../context.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import '../style/analysis.css';
 import { Eigenvalues } from './eigenvalues.tsx';
 import { GainSection, type SaveText } from './gainSection.tsx';

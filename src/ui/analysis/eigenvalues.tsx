@@ -4,7 +4,7 @@ import type { Signal } from '@preact/signals';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section, Toggle } from '../controls.tsx';
 import { formatFixed, formatShort, THIN } from '../format.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, type Cluster, type ModeRow } from './modes.ts';
 import type { StateName } from './names.ts';
 import { CROSS, Plane, type Place } from './plane.tsx';

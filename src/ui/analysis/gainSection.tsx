@@ -4,7 +4,7 @@ import { exportFormats, type ExportFormat } from '../../core/control/exports.ts'
 import type { SystemMeta } from '../../core/systems/types.ts';
 import { Section } from '../controls.tsx';
 import { formatScientific, formatShort } from '../format.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import type { StateName } from './names.ts';
 import { InputHead } from './reachSection.tsx';
 import { StateSymbol } from './stateSymbol.tsx';

@@ -5,7 +5,7 @@ import { useId } from 'preact/hooks';
 import type { LocusRequest } from '../../core/control/scenarioLocus.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import { NumberField } from '../numberField.tsx';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import { numberOf, type NumberSpec } from '../useNumberField.ts';
 import { offeredRange, type LocusSubject } from './subjects.ts';
 

@@ -9,7 +9,7 @@ import type { SystemView } from '../../core/systems/types.ts';
 import { useUi } from '../context.ts';
 import { Check, Section } from '../controls.tsx';
 import { formatShort, THIN } from '../format.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import type { SaveText } from './gainSection.tsx';
 import { LocusForm } from './locusForm.tsx';
 import { LocusPlane } from './locusPlane.tsx';

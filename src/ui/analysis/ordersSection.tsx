@@ -2,7 +2,7 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section } from '../controls.tsx';
 import { formatScientific, formatShort, THIN } from '../format.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import { fastestGrowth } from './modes.ts';
 
 const words = text.analysis;

@@ -3,7 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Complex } from '../../core/control/spectrum.ts';
 import { formatShort } from '../format.ts';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import { bendOf, extent, linearScale, logarithmicScale } from './planeScale.ts';
 
 const MARGIN = { left: 52, right: 12, top: 12, bottom: 34 };

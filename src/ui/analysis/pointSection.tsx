@@ -7,7 +7,7 @@ import { Section } from '../controls.tsx';
 import { formatQuantity, formatShort, THIN } from '../format.ts';
 import { NumberField } from '../numberField.tsx';
 import { MathSymbol } from '../symbol.tsx';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import type { NumberSpec } from '../useNumberField.ts';
 import { pointOf, pointPath, withPoint, type StateName } from './names.ts';
 import { StateSymbol } from './stateSymbol.tsx';

@@ -4,7 +4,7 @@ import type { SystemMeta } from '../../core/systems/types.ts';
 import { Section } from '../controls.tsx';
 import { formatScientific } from '../format.ts';
 import { MathSymbol } from '../symbol.tsx';
-import { text } from '../text.ts';
+import { text } from '../../text/page.ts';
 import { Movers } from './eigenvalues.tsx';
 import { eigenvalueText, reachRows } from './modes.ts';
 import type { StateName } from './names.ts';

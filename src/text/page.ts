@@ -7,7 +7,7 @@ export const text = {
     keys: 'Keyboard', ownScenario: 'Own scenario', edited: 'edited',
   },
   panel: {
-    experiment: 'Experiment', now: 'Now', file: 'File', fold: (name: string) => `Fold ${name}`, unfold: (name: string) => `Show ${name}`,
+    experiment: 'Experiment', tools: 'Tools', now: 'Now', file: 'File', fold: (name: string) => `Fold ${name}`, unfold: (name: string) => `Show ${name}`,
     system: 'System', constraints: 'Constraints', hold: 'Held coordinates', holdHint: 'Frozen at their initial value.',
     start: 'Start', startHint: 'Empty: not named, rests or gives way. Plain angles are degrees; pi/8 and 0.3 rad are read as written.',
     value: 'value', rate: 'rate', parameters: 'Parameters', parameterSet: 'Parameter set', method: 'Method', formulation: 'Formulation', residualAsItIs: 'None: IDA takes the residual as it is',
@@ -64,7 +64,7 @@ export const text = {
     states: { waiting: 'waiting', computing: 'computing' }, plot: (column: string) => `${column} against time, one curve a method`,
   },
   analysis: {
-    open: 'Analysis', title: 'Analysis', loading: 'Loading', notLoaded: 'The analysis could not be loaded. Close it and open it again.',
+    open: 'Analysis', title: 'Analysis',
     about: (title: string) => `“${title}” as it stands in the panel, linearized about its operating point on the constraints. It follows every change.`,
     lastGood: 'Below, dimmed, stands the last point that could be had.',
     point: 'Operating point', rest: 'rest', addState: 'Name another value', choose: 'choose', pointNote: 'Empty values come from rest and the contact with the ground. The point must be a rest or a straight, steady motion.',

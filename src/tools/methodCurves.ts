@@ -1,8 +1,8 @@
 import { effect } from '@preact/signals';
-import type { Comparison, Outcome } from './app/comparison.ts';
-import { download } from './app/download.ts';
-import type { App } from './app/types.ts';
-import type { LinePlot } from './charts/linePlot.ts';
+import type { Comparison, Outcome } from '../app/comparison.ts';
+import { download } from '../app/download.ts';
+import type { App } from '../app/types.ts';
+import type { LinePlot } from '../charts/linePlot.ts';
 
 /** Ends after which a curve's last values mean nothing. */
 const ABANDONED: ReadonlySet<string> = new Set(['non-finite', 'newton', 'step-too-small']);
@@ -18,7 +18,7 @@ export function plotComparison(
   let plot: LinePlot | null = null;
   let ended = false;
   let stop = (): void => {};
-  void import('./charts/linePlot.ts').then(({ createLinePlot }) => {
+  void import('../charts/linePlot.ts').then(({ createLinePlot }) => {
     if (ended) return;
     const colour = (name: string): string => getComputedStyle(host).getPropertyValue(name).trim();
     plot = createLinePlot(host, { xLabel: 't, s', yLabel: column, logarithmic: column === 'residual', ink: colour('--muted'), line: colour('--line') });

@@ -1,6 +1,6 @@
-import type { App } from './app/types.ts';
-import type { LocusCurve, LocusPlot } from './charts/locusPlot.ts';
-import type { ScenarioLocus } from './core/control/scenarioLocus.ts';
+import type { App } from '../app/types.ts';
+import type { LocusCurve, LocusPlot } from '../charts/locusPlot.ts';
+import type { ScenarioLocus } from '../core/control/scenarioLocus.ts';
 
 /** How a locus is drawn: axis labels, a factor from SI to the unit shown, and for a scale that bends to logarithmic, where and its ticks. */
 export interface LocusDrawing {
@@ -18,7 +18,7 @@ export function plotLocus(app: App, host: HTMLElement, locus: ScenarioLocus, dra
   let ended = false;
   let stop = (): void => {};
   const observer = new ResizeObserver(() => plot?.resize(host.clientWidth, host.clientHeight));
-  void import('./charts/locusPlot.ts').then(({ createLocusPlot }) => {
+  void import('../charts/locusPlot.ts').then(({ createLocusPlot }) => {
     if (ended) return;
     const draw = (): void => {
       plot?.destroy();

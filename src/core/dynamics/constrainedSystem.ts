@@ -185,7 +185,7 @@ export class ConstrainedSystem {
     return done;
   }
 
-  /** Whether the factors at hand are of a state at this time: then of one near the end of the step being taken. */
+  /** Whether the factors at hand are of a state at this time. */
   isFactoredAt(t: number): boolean {
     return this.prepared === 'factored' && t === this.preparedT;
   }

@@ -13,7 +13,7 @@ const ROUNDING = 1e-13;
  * Puts a state back on the constraint manifold by the smallest change in the mass metric
  * (Hairer and Wanner, Solving ODEs II, 2nd ed., section VII.2, "projection on the constraint manifold";
  * here with the metric of the kinetic energy): first positions on `heights = 0`, then velocities on `Omega v = 0`, both
- * by simplified Newton. The factors of a stage at the same time, a little off the manifold, are tried first.
+ * by simplified Newton. At the end of a step the factors of its last stage are tried first.
  */
 export class Projection {
   private readonly dynamics: ConstrainedSystem;
@@ -26,10 +26,13 @@ export class Projection {
     this.residuals = new Float64Array(dynamics.m);
   }
 
-  /** Projects q and v in place. False when the constraints are singular there (see `dynamics.failure`). */
-  project(t: number, q: Float64Array, v: Float64Array): boolean {
+  /**
+   * Projects q and v in place. False when the constraints are singular there (see `dynamics.failure`).
+   * @param near the state is the end of a step: factors at the same time are those of a stage close to it
+   */
+  project(t: number, q: Float64Array, v: Float64Array, near = false): boolean {
     const d = this.dynamics;
-    if (d.m === 0 || (d.isFactoredAt(t) && this.iterate(q, v))) return true;
+    if (d.m === 0 || (near && d.isFactoredAt(t) && this.iterate(q, v))) return true;
     if (!d.prepare(t, q, v)) return false;
     this.iterate(q, v);
     return true;

@@ -228,7 +228,7 @@ export class Simulation {
   private projectEnd(t: number, y: Float64Array): boolean {
     const { formulation, endQ: q, endV: v } = this;
     formulation.toState(y, q, v);
-    if (!this.projection.project(t, q, v)) return false;
+    if (!this.projection.project(t, q, v, true)) return false;
     formulation.fromState(q, v, y);
     return true;
   }

@@ -75,6 +75,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       if (state.draftErrors.peek().size === 0) runs.run();
     },
     openFiles: (list) => void files.open(list),
+    cancelReading: () => files.cancel(),
     openSample: (id) => void files.openSample(id, samples),
     answerTimeStep: (step) => files.answerTimeStep(step),
     exportCsv: () => void exportCsv(state, csv, messages),
@@ -138,6 +139,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     tool: signal(roomy ? 'now' : null),
     messages: signal([]),
     pendingFile: signal(null),
+    reading: signal(null),
     meshes: signal(new Map()),
   };
 }

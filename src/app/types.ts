@@ -111,6 +111,8 @@ export interface AppState {
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
+  /** A large file on its way in. */
+  reading: Signal<{ name: string; share: number; rows: number } | null>;
   /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
 }
@@ -129,6 +131,8 @@ export interface AppActions {
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
+  /** Gives up the file being read. */
+  cancelReading(): void;
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
   answerTimeStep(step: number | null): void;
   exportCsv(): void;

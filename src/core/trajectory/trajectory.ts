@@ -16,6 +16,15 @@ export class Trajectory {
     this.data = columns.map(() => new Float64Array(capacity));
   }
 
+  /** A trajectory of columns that are handed over, not copied; all of one length. */
+  static of(columns: readonly string[], data: readonly Float64Array[]): Trajectory {
+    const made = new Trajectory(columns, 0);
+    if (data.length !== columns.length || data.some((column) => column.length !== data[0]!.length)) throw new Error('the columns are not of one length');
+    made.data = [...data];
+    made.count = data[0]!.length;
+    return made;
+  }
+
   get length(): number {
     return this.count;
   }

@@ -20,6 +20,8 @@ const app = createApp(
   { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches, roomy: innerWidth >= 1200 },
   comparison,
 );
+/** For scripts that take pictures, and for whoever opens the console. */
+Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
 

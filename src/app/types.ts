@@ -3,6 +3,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
+import type { Case } from '../core/cases/case.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -178,6 +179,12 @@ export interface CaseInfo {
   /** One line: what to look at. */
   summary: string;
   scenario: ScenarioFile;
+  /** Where it comes from: figure and section of the report, or a paper. */
+  source?: string | undefined;
+  figure?: string | undefined;
+  chapter?: string | undefined;
+  /** Where its picture is taken. */
+  picture?: Case['picture'] | undefined;
 }
 
 export interface SampleInfo {

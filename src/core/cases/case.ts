@@ -15,6 +15,8 @@ export interface Case {
   scenario: ScenarioFile;
   /** Numbers known from elsewhere, which the run meets within their tolerance. */
   published?: readonly Published[];
+  /** Where its picture is taken: share of the run's time (0.4) and view (orbit). */
+  picture?: { share?: number; view?: 'orbit' | 'front' | 'side' | 'top' | 'caster' };
   /** What to plot; a figure of the report on its own axes. */
   plots?: readonly CasePlot[];
 }

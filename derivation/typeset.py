@@ -1,0 +1,352 @@
+"""From a model to the formulas that the page prints, as the text of one JSON file."""
+
+import json
+
+import sympy as sp
+
+from .latex import latex, matrix, typeset
+from .model import Model
+from .notation import Formula, Term, cross, dot, mark, plus, scalar, times, transposed, turn, unit, vector
+from .rotations import AXES
+from .tidy import tidy
+
+# Entries of a large mass matrix are tried below the first count of operations, and printed below the second.
+TRIED, PRINTED = 110, 60
+# Up to this many operations in its entries, an angular velocity is written out.
+WRITTEN_OUT = 60
+
+
+class Page:
+    """The formulas of one model by section; `formulas` holds those that have a value to be checked."""
+
+    def __init__(self, model: Model):
+        self.model, self.note = model, model.notation
+        self.q, self.v = model.q, model.v
+        self.a = sp.Matrix([sp.Symbol(f"{s.name}_ddot", real=True) for s in model.q])
+        self.bodies = model.notation.masses or model.bodies
+        self.letters = [(symbol, meaning) for symbol, _, meaning in self.note.letters]
+        self.formulas = []
+        self.frames = [(f"frame.{sub}", sub, frame) for sub, frame in self.note.frames]
+        self.frames += [(body.name, self.note.subscripts[body.name], body.frame) for body in self.bodies]
+
+    def formula(self, id, left, right, truth) -> str:
+        made = Formula(id, left, right, truth)
+        self.formulas.append(made)
+        return made.latex
+
+    def tidy(self, e):
+        return tidy(e, self.letters)
+
+    # ── frames
+
+    def named(self, frame):
+        """(mark, chain) of the named frame that a frame is, or None."""
+        for name, _, other in self.frames:
+            if chain(other) == chain(frame) and chain(frame):
+                return name
+        return None
+
+    def base_of(self, frame):
+        """The outermost named frame that a frame was turned from, and the turns after it."""
+        turns, walked = [], frame
+        while walked.parent is not None:
+            turns.insert(0, (walked.axis, walked.angle))
+            walked = walked.parent
+            if self.named(walked):
+                break
+        return (walked if walked.parent is not None else None), turns
+
+    def axes(self, frame) -> Term | None:
+        """A frame's matrix by its name; None for the world."""
+        if not chain(frame):
+            return None
+        name = self.named(frame)
+        if name is None:
+            raise ValueError("a frame that formulas need has no name")
+        return Term(mark(f"R.{name}"), frame.R)
+
+    def attitude(self, frame) -> Term:
+        base, turns = self.base_of(frame)
+        if not turns:
+            return Term(r"\mathbf 1", sp.eye(3))
+        parts = [turn(axis, angle) for axis, angle in turns]
+        first = [self.axes(base)] if base is not None else []
+        result = (first + parts)[0]
+        for part in (first + parts)[1:]:
+            result = Term(f"{result.latex}\\, {part.latex}", result.value * part.value)
+        return result
+
+    def angular(self, frame) -> Term:
+        """Angular velocity in own axes: written out, or from that of the frame it was turned from."""
+        entries = (frame.W * self.v).applyfunc(self.collected)
+        if sum(sp.count_ops(e) for e in entries) <= WRITTEN_OUT:
+            return vector(entries)
+        base, turns = self.base_of(frame)
+        result = Term(mark(f"omega.{self.named(base)}"), base.W * self.v)
+        for axis, angle in turns:
+            rate = (sp.Matrix([angle]).jacobian(self.q) * self.v)[0]
+            down = turn(axis, angle)
+            result = Term(f"{transposed(down).latex} {result.bracketed()}", down.value.T * result.value)
+            if rate != 0:
+                result = plus(result, times(scalar(rate), unit(axis)))
+        return result
+
+    def collected(self, e):
+        """A velocity, by rates."""
+        e = sp.expand(e)
+        return sum((self.tidy(e.coeff(rate)) * rate for rate in self.v), sp.Integer(0))
+
+    # ── bodies
+
+    def arms(self, body):
+        """[(frame, offset)] of a centre, without those that are zero, and the earlier body that it starts from."""
+        point = body.centre
+        arms = [(frame, offset) for frame, offset in point.arms if offset != sp.zeros(3, 1)]
+        for other in reversed(self.bodies[: [b.name for b in self.bodies].index(body.name)]):
+            theirs = [(frame, offset) for frame, offset in other.centre.arms if offset != sp.zeros(3, 1)]
+            if theirs and other.centre.base == point.base and len(theirs) < len(arms) and all(a[0] is b[0] and a[1] == b[1] for a, b in zip(theirs, arms)):
+                return other, arms[len(theirs):]
+        return None, arms
+
+    def position(self, body) -> Term:
+        earlier, arms = self.arms(body)
+        if earlier is None:
+            start = vector(body.centre.base)
+        else:
+            start = Term(mark(f"r.{earlier.name}"), earlier.centre.position())
+        return plus(start, *(self.carried(frame, vector(offset)) for frame, offset in arms))
+
+    def carried(self, frame, term: Term) -> Term:
+        axes = self.axes(frame)
+        return term if axes is None else times(axes, term)
+
+    def velocity(self, body) -> Term:
+        earlier, arms = self.arms(body)
+        if earlier is None:
+            start = vector(body.centre.base.jacobian(self.q) * self.v)
+        else:
+            start = Term(mark(f"v.{earlier.name}"), earlier.centre.jacobian(self.q) * self.v)
+        terms = [start]
+        for frame, offset in arms:
+            if frame.W != sp.zeros(3, len(self.q)):
+                omega = Term(mark(f"omega.{self.named(frame)}"), frame.W * self.v)
+                terms.append(self.carried(frame, cross(omega, vector(offset))))
+        return plus(*terms)
+
+    def kinetic(self, body) -> Term:
+        v = body.centre.jacobian(self.q) * self.v
+        omega = body.frame.W * self.v
+        parts = []
+        if body.mass != 0:
+            half = scalar(body.mass)
+            parts.append(Term(rf"\tfrac12\, {half.bracketed()}\, |{mark(f'v.{body.name}')}|^2", body.mass * v.dot(v) / 2))
+        if not body.inertia.is_zero_matrix and body.frame.W != sp.zeros(3, len(self.q)):
+            w, inertia = mark(f"omega.{body.name}"), mark(f"I.{body.name}")
+            parts.append(Term(rf"\tfrac12\, {w}^{{\mathsf T}} {inertia}\, {w}", omega.dot(body.inertia * omega) / 2))
+        return plus(*parts)
+
+    def body(self, body) -> dict:
+        name, n = body.name, len(self.q)
+        turning = body.frame.W != sp.zeros(3, n)
+        formulas = {
+            "attitude": self.formula(f"{name}.attitude", mark(f"R.{name}"), self.attitude(body.frame), body.frame.R),
+            "position": self.formula(f"{name}.position", mark(f"r.{name}"), self.position(body), body.centre.position()),
+            "velocity": self.formula(f"{name}.velocity", mark(f"v.{name}"), self.velocity(body), body.centre.jacobian(self.q) * self.v),
+        }
+        if turning:
+            formulas["angular"] = self.formula(f"{name}.angular", mark(f"omega.{name}"), self.angular(body.frame), body.frame.W * self.v)
+        if body.mass != 0 or not body.inertia.is_zero_matrix:
+            formulas["kinetic"] = self.formula(f"{name}.kinetic", mark(f"T.{name}"), self.kinetic(body), None)
+        inertia = None if body.inertia.is_zero_matrix or not turning else f"{mark(f'I.{name}')} = {matrix(body.inertia)}"
+        return {"id": name, "mass": latex(body.mass), "inertia": inertia, **formulas}
+
+    def carrier(self, name, frame) -> dict:
+        return {
+            "id": name,
+            "attitude": self.formula(f"{name}.attitude", mark(f"R.{name}"), self.attitude(frame), frame.R),
+            "angular": self.formula(f"{name}.angular", mark(f"omega.{name}"), self.angular(frame), frame.W * self.v),
+        }
+
+    # ── energies and equations
+
+    def energies(self) -> dict:
+        m = self.model
+        if m.rate is not None:
+            return {}
+        bodies = [b for b in self.bodies if b.mass != 0 or not b.inertia.is_zero_matrix]
+        parts = [self.kinetic(b) for b in bodies]
+        total = Term(" + ".join(mark(f"T.{b.name}") for b in bodies), sum((p.value for p in parts), sp.Integer(0)), True)
+        result = {"kinetic": self.formula("kinetic", "T", total, m.kinetic)}
+        result["potential"] = self.formula("potential", "V", scalar(self.summed(m.potential)), m.potential)
+        if self.small:
+            L = self.by_rates(m.kinetic) - self.tidy(m.potential)
+            result["lagrangian"] = self.formula("lagrangian", "L = T - V", scalar(L), m.kinetic - m.potential)
+        return result
+
+    def summed(self, V):
+        """A potential, term by term, each as short as it gets."""
+        return sum((self.tidy(term) for term in sp.Add.make_args(sp.sympify(V))), sp.Integer(0))
+
+    def by_rates(self, T):
+        """A kinetic energy, collected by products of rates."""
+        T = sp.expand(T)
+        poly = sp.Poly(T, *self.v)
+        return sum((self.tidy(c) * sp.prod([r**k for r, k in zip(self.v, powers)]) for powers, c in poly.terms()), sp.Integer(0))
+
+    @property
+    def small(self) -> bool:
+        return not self.model.definitions
+
+    def motion(self) -> list:
+        """The equations: one line a coordinate where they are small, else in matrices."""
+        m = self.model
+        if m.rate is not None:
+            return [self.formula(f"rate.{s.name}", latex(v), scalar(f), f) for s, v, f in zip(self.q, self.v, m.rate)]
+        if not self.small:
+            return []
+        rows, multipliers = m.constraints[0].Omega if m.constraints else sp.zeros(0, len(self.q)), []
+        multipliers = [sp.Symbol(f"lambda_{k + 1}", real=True) for k in range(rows.rows)]
+        lines = []
+        for i, q in enumerate(self.q):
+            inertia = [self.tidy(m.equations.M[i, j]) * a for j, a in enumerate(self.a)]
+            h = self.loose(m.equations.h[i])
+            left = plus(*[scalar(t) for t in [*inertia, *(-t for t in sp.Add.make_args(h))] if t != 0])
+            force = sum((self.tidy(rows[k, i]) * s for k, s in enumerate(multipliers)), sp.Integer(0))
+            Q = mark(f"Q.{q.name}")
+            right = Q if force == 0 else plus(Term(Q, 0), scalar(force)).latex
+            truth = (m.equations.M * self.a)[i] - m.equations.h[i]
+            self.formulas.append(Formula(f"motion.{q.name}", "", left, truth))
+            if force != 0:
+                self.formulas.append(Formula(f"force.{q.name}", "", scalar(force), (rows.T * sp.Matrix(multipliers))[i]))
+            lines.append(f"{left.latex} = {right}")
+        return lines
+
+    def loose(self, h):
+        """A force as a sum, by products of rates."""
+        poly = sp.Poly(sp.expand(h), *self.v)
+        return sum((self.tidy(c) * sp.prod([r**k for r, k in zip(self.v, powers)]) for powers, c in poly.terms()), sp.Integer(0))
+
+    def mass_matrix(self) -> dict:
+        """Entries of M that can be read, upper triangle, and how large those are that cannot."""
+        entries, left = [], []
+        for i, j in ((i, j) for i in range(len(self.q)) for j in range(i, len(self.q))):
+            e = self.entry(i, j)
+            count = int(sp.count_ops(e))
+            short = self.tidy(e) if count <= TRIED else e
+            here = {"row": self.q[i].name, "column": self.q[j].name}
+            if short == 0:
+                continue
+            if sp.count_ops(short) <= PRINTED:
+                id = f"mass.{i}.{j}"
+                entries.append({**here, "latex": self.formula(id, rf"M_{{{mark(self.q[i].name)}{mark(self.q[j].name)}}}", scalar(short), self.model.equations.M[i, j])})
+            else:
+                left.append({**here, "operations": min(count, int(sp.count_ops(short)))})
+        return {"entries": entries, "left": left}
+
+    def entry(self, i, j):
+        """M[i, j] from the bodies' Jacobians; their common carriers are turned away where two relative velocities meet."""
+        total = sp.Integer(0)
+        for body in self.bodies:
+            point = body.centre
+            P, W_s, W = point.base.jacobian(self.q), self.relative(point), body.frame.W
+            lever = (P[:, i], P[:, j], W_s[:, i], W_s[:, j])
+            total += body.mass * (lever[0].dot(lever[1]) + lever[2].dot(lever[3]))
+            for p, w in ((lever[0], lever[3]), (lever[1], lever[2])):
+                if p != sp.zeros(3, 1) and w != sp.zeros(3, 1):
+                    total += body.mass * p.dot(point.carrier.R * w)
+            total += W[:, i].dot(body.inertia * W[:, j])
+        return total
+
+    def relative(self, point):
+        kept = self.__dict__.setdefault("_relative", {})
+        if id(point) not in kept:
+            kept[id(point)] = point.relative_jacobian(self.q)
+        return kept[id(point)]
+
+    # ── constraints
+
+    def constraints(self, c) -> dict:
+        rows = self.note.rows.get(c.id)
+        titles = self.note.titles.get(c.id, ())
+        lines = []
+        for k in range(c.Omega.rows):
+            if rows:
+                title, vanishes, row = rows[k].title, rows[k].vanishes, rows[k].row
+            else:
+                row = c.Omega.row(k).applyfunc(self.tidy)
+                title, vanishes = titles[k], scalar((row * self.v)[0])
+            # The rows of the model are named in results of their own; what is printed is compared with them as a velocity.
+            self.formulas.append(Formula(f"{c.id}.{k}", "", vanishes, (c.Omega * self.v)[k]))
+            entries = []
+            for j, q in enumerate(self.q):
+                short = self.tidy(row[j])
+                if short != 0:
+                    left = rf"\Omega_{{{k + 1},\, {mark(q.name)}}}"
+                    entries.append({"column": q.name, "latex": self.formula(f"{c.id}.{k}.{j}", left, scalar(short), c.Omega[k, j])})
+            lines.append({"title": title, "latex": f"{vanishes.latex} = 0", "entries": entries})
+        heights = [self.formula(f"{c.id}.height.{i}", f"z_{{{i + 1}}}", scalar(self.tidy(h)), h) + " = 0" for i, h in enumerate(c.heights)]
+        return {"id": c.id, "rows": lines, "heights": heights}
+
+    # ── everything
+
+    def symbols(self) -> dict:
+        m, note = self.model, self.note
+        names = note.symbols.split()
+        known = [*self.q, *m.parameters]
+        if len(names) != len(known):
+            raise ValueError(f"{m.id}: {len(names)} letters for {len(known)} symbols")
+        table = {s.name: typeset(short) for s, short in zip(known, names)}
+        for s, short in zip(self.q, names):
+            table[f"{s.name}_dot"] = typeset(short, r"\dot")
+            table[f"{s.name}_ddot"] = typeset(short, r"\ddot")
+            table[f"Q.{s.name}"] = f"Q_{{{typeset(short)}}}"
+        table |= {symbol.name: typeset(short) for symbol, short, _ in note.letters}
+        rows = max((c.Omega.rows for c in m.constraints), default=0)
+        table |= {f"lambda_{k + 1}": rf"\lambda_{{{k + 1}}}" for k in range(rows)}
+        for name, sub, _ in self.frames:
+            table |= {f"R.{name}": f"R_{{{sub}}}", f"omega.{name}": rf"\boldsymbol{{\omega}}_{{{sub}}}"}
+            table |= {f"r.{name}": rf"\mathbf r_{{{sub}}}", f"v.{name}": rf"\dot{{\mathbf r}}_{{{sub}}}"}
+            table |= {f"T.{name}": f"T_{{{sub}}}", f"I.{name}": f"I_{{{sub}}}"}
+        return table
+
+    def document(self) -> dict:
+        m = self.model
+        document = {
+            "system": m.id,
+            "symbols": self.symbols(),
+            "letters": [self.formula(f"letter.{s.name}", latex(s), scalar(meaning), meaning) for s, _, meaning in self.note.letters],
+            "frames": [self.carrier(f"frame.{sub}", frame) for sub, frame in self.note.frames],
+            "bodies": [] if m.rate is not None else [self.body(b) for b in self.bodies],
+            "energies": self.energies(),
+            "motion": self.motion(),
+            "losses": [],
+            "mass": None if self.small else self.mass_matrix(),
+            "constraints": [self.constraints(c) for c in m.constraints],
+        }
+        if self.note.losses is not None:
+            document["losses"] = [self.formula(f"loss.{i}", rf"Q^{{\mathrm{{loss}}}}_{{{mark(self.q[i].name)}}}", scalar(e), e)
+                                  for i, e in enumerate(self.note.losses) if e != 0]
+        document["losses"] += [self.formula(id, left, right, truth) for id, left, right, truth in self.note.extra]
+        used = set(marks_in(json.dumps({k: v for k, v in document.items() if k != "symbols"})))
+        keep = {s.name for s in [*self.q, *m.parameters]} | {f"{s.name}_dot" for s in self.q} | {f"Q.{s.name}" for s in self.q} | used
+        document["symbols"] = {name: text for name, text in document["symbols"].items() if name in keep}
+        return document
+
+
+def marks_in(text: str):
+    import re
+    return re.findall(r"\\\\s\{([^}]+)\}", text)
+
+
+def chain(frame) -> tuple:
+    return () if frame.parent is None else (*chain(frame.parent), (frame.axis, frame.angle))
+
+
+def page(model: Model) -> tuple:
+    """(document, formulas)."""
+    made = Page(model)
+    return made.document(), made.formulas
+
+
+def text(model: Model) -> str:
+    return json.dumps(page(model)[0], indent=1) + "\n"

@@ -60,8 +60,10 @@ def matrix(m) -> str:
 def typeset(short: str, over: str = "") -> str:
     """`α_fp` as `\\alpha_{fp}`; `over` is a command for an accent."""
     base, *rest = short.split("_")
-    letter = GREEK.get(base, base)
-    return (rf"{over}{{{letter}}}" if over else letter) + (rf"_{{{'_'.join(rest)}}}" if rest else "")
+    letter, below = GREEK.get(base, base), "_".join(rest)
+    if re.fullmatch("[a-z]{3,}", below):
+        below = rf"\mathrm{{{below}}}"
+    return (rf"{over}{{{letter}}}" if over else letter) + (f"_{{{below}}}" if below else "")
 
 
 def plain(text: str, symbols: dict) -> str:

@@ -39,7 +39,14 @@ class Notation:
     rows: dict = field(default_factory=dict)
     titles: dict = field(default_factory=dict)
     losses: sp.Matrix | None = None
+    # Further forces and what they need, and the vectors that constraint rows are written in: (id, left, Term, truth).
     extra: tuple = ()
+    contacts: tuple = ()
+    # Abbreviations that only those rows use, as letters; further marks {name: LaTeX}.
+    defined: tuple = ()
+    marks: dict = field(default_factory=dict)
+    # What the heights are called, as LaTeX.
+    heights: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -78,6 +85,29 @@ def scalar(expression) -> Term:
 
 def vector(entries: sp.Matrix) -> Term:
     return Term(column(entries), entries)
+
+
+def stacked(entries) -> Term:
+    """A column of terms."""
+    text = r" \\ ".join(e.latex for e in entries)
+    return Term(rf"\begin{{pmatrix}} {text} \end{{pmatrix}}", sp.Matrix([e.value for e in entries]))
+
+
+def total(parts) -> Term:
+    """Sum of [(coefficient, factors)], each coefficient before its factors; zero ones are left out."""
+    terms = []
+    for coefficient, factors in parts:
+        if coefficient == 0:
+            continue
+        behind = " ".join(latex(f) for f in factors)
+        value = coefficient * sp.prod(factors)
+        if not factors:
+            terms.append(scalar(coefficient))
+        elif coefficient in (1, -1):
+            terms.append(Term(behind if coefficient == 1 else f"- {behind}", value))
+        else:
+            terms.append(Term(f"{scalar(coefficient).bracketed()}\\, {behind}", value))
+    return plus(*terms) if terms else Term("0", sp.Integer(0))
 
 
 def plus(*terms: Term) -> Term:

@@ -1,19 +1,21 @@
 """From a model to the formulas that the page prints, as the text of one JSON file."""
 
 import json
+import re
 
 import sympy as sp
 
 from .latex import latex, matrix, typeset
 from .model import Model
-from .notation import Formula, Term, cross, dot, mark, plus, scalar, times, transposed, turn, unit, vector
-from .rotations import AXES
+from .notation import Formula, Row, Term, cross, mark, plus, scalar, stacked, times, total, transposed, turn, unit, vector
 from .tidy import tidy
 
 # Entries of a large mass matrix are tried below the first count of operations, and printed below the second.
 TRIED, PRINTED = 110, 60
+# Entries of constraint rows longer than this are counted instead of printed.
+ROW_PRINTED = 160
 # Up to this many operations in its entries, an angular velocity is written out.
-WRITTEN_OUT = 60
+WRITTEN_OUT = 32
 
 
 class Page:
@@ -25,6 +27,7 @@ class Page:
         self.a = sp.Matrix([sp.Symbol(f"{s.name}_ddot", real=True) for s in model.q])
         self.bodies = model.notation.masses or model.bodies
         self.letters = [(symbol, meaning) for symbol, _, meaning in self.note.letters]
+        self.names = (*self.note.letters, *self.note.defined)
         self.formulas = []
         self.frames = [(f"frame.{sub}", sub, frame) for sub, frame in self.note.frames]
         self.frames += [(body.name, self.note.subscripts[body.name], body.frame) for body in self.bodies]
@@ -78,9 +81,9 @@ class Page:
 
     def angular(self, frame) -> Term:
         """Angular velocity in own axes: written out, or from that of the frame it was turned from."""
-        entries = (frame.W * self.v).applyfunc(self.collected)
-        if sum(sp.count_ops(e) for e in entries) <= WRITTEN_OUT:
-            return vector(entries)
+        entries = [self.by_rates(e) for e in frame.W * self.v]
+        if sum(sp.count_ops(e.value) for e in entries) <= WRITTEN_OUT:
+            return stacked(entries)
         base, turns = self.base_of(frame)
         result = Term(mark(f"omega.{self.named(base)}"), base.W * self.v)
         for axis, angle in turns:
@@ -91,19 +94,18 @@ class Page:
                 result = plus(result, times(scalar(rate), unit(axis)))
         return result
 
-    def collected(self, e):
-        """A velocity, by rates."""
-        e = sp.expand(e)
-        return sum((self.tidy(e.coeff(rate)) * rate for rate in self.v), sp.Integer(0))
+    def by_rates(self, e) -> Term:
+        """A polynomial in the rates, coefficients before the rates."""
+        parts = sp.Poly(sp.expand(e), *self.v).terms() if e != 0 else []
+        return total([(self.tidy(c), [r**k for r, k in zip(self.v, powers) if k]) for powers, c in parts])
 
     # ── bodies
 
     def arms(self, body):
         """[(frame, offset)] of a centre, without those that are zero, and the earlier body that it starts from."""
-        point = body.centre
-        arms = [(frame, offset) for frame, offset in point.arms if offset != sp.zeros(3, 1)]
+        point, arms = body.centre, reaches(body.centre)
         for other in reversed(self.bodies[: [b.name for b in self.bodies].index(body.name)]):
-            theirs = [(frame, offset) for frame, offset in other.centre.arms if offset != sp.zeros(3, 1)]
+            theirs = reaches(other.centre)
             if theirs and other.centre.base == point.base and len(theirs) < len(arms) and all(a[0] is b[0] and a[1] == b[1] for a, b in zip(theirs, arms)):
                 return other, arms[len(theirs):]
         return None, arms
@@ -157,7 +159,10 @@ class Page:
             formulas["angular"] = self.formula(f"{name}.angular", mark(f"omega.{name}"), self.angular(body.frame), body.frame.W * self.v)
         if body.mass != 0 or not body.inertia.is_zero_matrix:
             formulas["kinetic"] = self.formula(f"{name}.kinetic", mark(f"T.{name}"), self.kinetic(body), None)
-        inertia = None if body.inertia.is_zero_matrix or not turning else f"{mark(f'I.{name}')} = {matrix(body.inertia)}"
+        inertia = None
+        if turning and not body.inertia.is_zero_matrix:
+            printed = body.inertia.applyfunc(self.tidy)
+            inertia = self.formula(f"{name}.inertia", mark(f"I.{name}"), Term(matrix(printed), printed), body.inertia)
         return {"id": name, "mass": latex(body.mass), "inertia": inertia, **formulas}
 
     def carrier(self, name, frame) -> dict:
@@ -179,19 +184,13 @@ class Page:
         result = {"kinetic": self.formula("kinetic", "T", total, m.kinetic)}
         result["potential"] = self.formula("potential", "V", scalar(self.summed(m.potential)), m.potential)
         if self.small:
-            L = self.by_rates(m.kinetic) - self.tidy(m.potential)
-            result["lagrangian"] = self.formula("lagrangian", "L = T - V", scalar(L), m.kinetic - m.potential)
+            potential = [scalar(-self.tidy(e)) for e in sp.Add.make_args(m.potential) if e != 0]
+            result["lagrangian"] = self.formula("lagrangian", "L = T - V", plus(self.by_rates(m.kinetic), *potential), m.kinetic - m.potential)
         return result
 
     def summed(self, V):
         """A potential, term by term, each as short as it gets."""
         return sum((self.tidy(term) for term in sp.Add.make_args(sp.sympify(V))), sp.Integer(0))
-
-    def by_rates(self, T):
-        """A kinetic energy, collected by products of rates."""
-        T = sp.expand(T)
-        poly = sp.Poly(T, *self.v)
-        return sum((self.tidy(c) * sp.prod([r**k for r, k in zip(self.v, powers)]) for powers, c in poly.terms()), sp.Integer(0))
 
     @property
     def small(self) -> bool:
@@ -204,27 +203,39 @@ class Page:
             return [self.formula(f"rate.{s.name}", latex(v), scalar(f), f) for s, v, f in zip(self.q, self.v, m.rate)]
         if not self.small:
             return []
-        rows, multipliers = m.constraints[0].Omega if m.constraints else sp.zeros(0, len(self.q)), []
-        multipliers = [sp.Symbol(f"lambda_{k + 1}", real=True) for k in range(rows.rows)]
         lines = []
+        rows = self.rows_of(m.constraints[0]) if m.constraints else []
+        multipliers = [sp.Symbol(f"lambda_{k + 1}", real=True) for k in range(len(rows))]
         for i, q in enumerate(self.q):
-            inertia = [self.tidy(m.equations.M[i, j]) * a for j, a in enumerate(self.a)]
-            h = self.loose(m.equations.h[i])
-            left = plus(*[scalar(t) for t in [*inertia, *(-t for t in sp.Add.make_args(h))] if t != 0])
-            force = sum((self.tidy(rows[k, i]) * s for k, s in enumerate(multipliers)), sp.Integer(0))
-            Q = mark(f"Q.{q.name}")
-            right = Q if force == 0 else plus(Term(Q, 0), scalar(force)).latex
-            truth = (m.equations.M * self.a)[i] - m.equations.h[i]
-            self.formulas.append(Formula(f"motion.{q.name}", "", left, truth))
-            if force != 0:
-                self.formulas.append(Formula(f"force.{q.name}", "", scalar(force), (rows.T * sp.Matrix(multipliers))[i]))
-            lines.append(f"{left.latex} = {right}")
+            inertia = total([(self.tidy(m.equations.M[i, j]), [a]) for j, a in enumerate(self.a)])
+            left = plus(inertia, self.by_rates(-m.equations.h[i])) if m.equations.h[i] != 0 else inertia
+            self.formulas.append(Formula(f"motion.{q.name}", "", left, (m.equations.M * self.a)[i] - m.equations.h[i]))
+            right = Term(mark(f"Q.{q.name}"), sp.Integer(0))
+            force = total([(self.tidy(row.row[i]), [s]) for row, s in zip(rows, multipliers)])
+            if force.value != 0:
+                self.formulas.append(Formula(f"force.{q.name}", "", force, (m.constraints[0].Omega.T * sp.Matrix(multipliers))[i]))
+                right = plus(right, force)
+            lines.append(f"{left.latex} = {right.latex}")
         return lines
 
-    def loose(self, h):
-        """A force as a sum, by products of rates."""
-        poly = sp.Poly(sp.expand(h), *self.v)
-        return sum((self.tidy(c) * sp.prod([r**k for r, k in zip(self.v, powers)]) for powers, c in poly.terms()), sp.Integer(0))
+    def structure(self) -> list:
+        """What the matrices are made of; `test_typeset` computes M, h and gamma by these lines."""
+        if self.model.rate is not None:
+            return []
+        constrained = bool(self.model.constraints)
+        extra = (r" + Q^{\mathrm{loss}}" if self.note.losses is not None else "") + (r" + Q^{\mathrm{drag}}" if self.model.extra_forces else "")
+        lines = [r"M(q)\, \ddot q = h(q, \dot q) + B\, u" + (r" + \Omega(q)^{\mathsf T} \lambda" if constrained else "")]
+        if constrained:
+            lines.append(r"\Omega(q)\, \dot q = 0, \qquad \Omega\, \ddot q + \gamma = 0, \qquad \gamma = \dot\Omega\, \dot q")
+        lines += [
+            r"J_b = \frac{\partial \dot{\mathbf r}_b}{\partial \dot q}, \qquad W_b = \frac{\partial \boldsymbol\omega_b}{\partial \dot q}",
+            r"M = \sum_b \left( m_b\, J_b^{\mathsf T} J_b + W_b^{\mathsf T} I_b\, W_b \right)",
+            r"h = - \frac{\partial V}{\partial q} - \sum_b \left[ m_b\, J_b^{\mathsf T} \dot J_b\, \dot q + W_b^{\mathsf T} "
+            r"\left( I_b\, \dot W_b\, \dot q + \boldsymbol\omega_b \times I_b\, \boldsymbol\omega_b \right) \right]" + extra,
+        ]
+        if constrained:
+            lines.append(r"\left( \Omega\, M^{-1} \Omega^{\mathsf T} \right) \lambda = - \gamma - \Omega\, M^{-1} (h + B\, u)")
+        return lines
 
     def mass_matrix(self) -> dict:
         """Entries of M that can be read, upper triangle, and how large those are that cannot."""
@@ -238,7 +249,7 @@ class Page:
                 continue
             if sp.count_ops(short) <= PRINTED:
                 id = f"mass.{i}.{j}"
-                entries.append({**here, "latex": self.formula(id, rf"M_{{{mark(self.q[i].name)}{mark(self.q[j].name)}}}", scalar(short), self.model.equations.M[i, j])})
+                entries.append({**here, "latex": self.formula(id, rf"M_{{{mark(self.q[i].name)},\, {mark(self.q[j].name)}}}", scalar(short), self.model.equations.M[i, j])})
             else:
                 left.append({**here, "operations": min(count, int(sp.count_ops(short)))})
         return {"entries": entries, "left": left}
@@ -265,26 +276,26 @@ class Page:
 
     # ── constraints
 
+    def rows_of(self, c) -> tuple:
+        """The rows as they are printed: those of the notation, else Omega's own."""
+        if c.id in self.note.rows:
+            return self.note.rows[c.id]
+        return tuple(Row(title, self.by_rates((row * self.v)[0]), row) for title, row in zip(self.note.titles[c.id], (c.Omega.row(k) for k in range(c.Omega.rows))))
+
     def constraints(self, c) -> dict:
-        rows = self.note.rows.get(c.id)
-        titles = self.note.titles.get(c.id, ())
         lines = []
-        for k in range(c.Omega.rows):
-            if rows:
-                title, vanishes, row = rows[k].title, rows[k].vanishes, rows[k].row
-            else:
-                row = c.Omega.row(k).applyfunc(self.tidy)
-                title, vanishes = titles[k], scalar((row * self.v)[0])
-            # The rows of the model are named in results of their own; what is printed is compared with them as a velocity.
-            self.formulas.append(Formula(f"{c.id}.{k}", "", vanishes, (c.Omega * self.v)[k]))
+        for k, row in enumerate(self.rows_of(c)):
+            self.formulas.append(Formula(f"{c.id}.{k}", "", row.vanishes, (c.Omega * self.v)[k]))
             entries = []
             for j, q in enumerate(self.q):
-                short = self.tidy(row[j])
-                if short != 0:
+                short = self.tidy(row.row[j])
+                if sp.count_ops(short) > ROW_PRINTED:
+                    entries.append({"column": q.name, "operations": int(sp.count_ops(short))})
+                elif short != 0:
                     left = rf"\Omega_{{{k + 1},\, {mark(q.name)}}}"
                     entries.append({"column": q.name, "latex": self.formula(f"{c.id}.{k}.{j}", left, scalar(short), c.Omega[k, j])})
-            lines.append({"title": title, "latex": f"{vanishes.latex} = 0", "entries": entries})
-        heights = [self.formula(f"{c.id}.height.{i}", f"z_{{{i + 1}}}", scalar(self.tidy(h)), h) + " = 0" for i, h in enumerate(c.heights)]
+            lines.append({"title": row.title, "latex": f"{row.vanishes.latex} = 0", "entries": entries})
+        heights = [self.formula(f"{c.id}.height.{i}", self.note.heights[i], scalar(self.tidy(h)), h) + " = 0" for i, h in enumerate(c.heights)]
         return {"id": c.id, "rows": lines, "heights": heights}
 
     # ── everything
@@ -300,7 +311,7 @@ class Page:
             table[f"{s.name}_dot"] = typeset(short, r"\dot")
             table[f"{s.name}_ddot"] = typeset(short, r"\ddot")
             table[f"Q.{s.name}"] = f"Q_{{{typeset(short)}}}"
-        table |= {symbol.name: typeset(short) for symbol, short, _ in note.letters}
+        table |= {symbol.name: typeset(short) for symbol, short, _ in self.names} | dict(note.marks)
         rows = max((c.Omega.rows for c in m.constraints), default=0)
         table |= {f"lambda_{k + 1}": rf"\lambda_{{{k + 1}}}" for k in range(rows)}
         for name, sub, _ in self.frames:
@@ -314,17 +325,19 @@ class Page:
         document = {
             "system": m.id,
             "symbols": self.symbols(),
-            "letters": [self.formula(f"letter.{s.name}", latex(s), scalar(meaning), meaning) for s, _, meaning in self.note.letters],
+            "letters": [self.formula(f"letter.{s.name}", latex(s), scalar(meaning), meaning) for s, _, meaning in self.names],
+            "contacts": [self.formula(*given) for given in self.note.contacts],
             "frames": [self.carrier(f"frame.{sub}", frame) for sub, frame in self.note.frames],
             "bodies": [] if m.rate is not None else [self.body(b) for b in self.bodies],
             "energies": self.energies(),
             "motion": self.motion(),
             "losses": [],
+            "structure": self.structure(),
             "mass": None if self.small else self.mass_matrix(),
             "constraints": [self.constraints(c) for c in m.constraints],
         }
         if self.note.losses is not None:
-            document["losses"] = [self.formula(f"loss.{i}", rf"Q^{{\mathrm{{loss}}}}_{{{mark(self.q[i].name)}}}", scalar(e), e)
+            document["losses"] = [self.formula(f"loss.{i}", rf"Q^{{\mathrm{{loss}}}}_{{{mark(self.q[i].name)}}}", self.by_rates(e), e)
                                   for i, e in enumerate(self.note.losses) if e != 0]
         document["losses"] += [self.formula(id, left, right, truth) for id, left, right, truth in self.note.extra]
         used = set(marks_in(json.dumps({k: v for k, v in document.items() if k != "symbols"})))
@@ -333,8 +346,13 @@ class Page:
         return document
 
 
+def reaches(point) -> list:
+    """[(frame, offset)] that a point is made of, without what is zero."""
+    arms = point.arms or ((point.carrier, point.offset),)
+    return [(frame, offset) for frame, offset in arms if offset != sp.zeros(3, 1)]
+
+
 def marks_in(text: str):
-    import re
     return re.findall(r"\\\\s\{([^}]+)\}", text)
 
 

@@ -1,3 +1,4 @@
+import { equations as equationWords } from '../text/equations.ts';
 import { text } from '../text/page.ts';
 import { later } from '../ui/later.tsx';
 import { NowTool } from '../ui/nowPanel.tsx';
@@ -6,6 +7,7 @@ import type { Tool } from '../ui/tool.ts';
 /** The tools beside the scene, in the order of the rail. Only the first is part of the first view; the others are loaded when opened. */
 export const tools: readonly Tool[] = [
   { id: 'now', title: text.panel.now, icon: 'now', size: 'narrow', Body: NowTool },
+  { id: 'equations', title: equationWords.open, icon: 'equations', size: 'wide', Body: later(async () => (await import('./equations/equationsTool.tsx')).EquationsTool) },
   { id: 'analysis', title: text.analysis.open, icon: 'analysis', size: 'wide', Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool) },
   { id: 'methods', title: text.methods.open, icon: 'methods', size: 'widest', keep: true, Body: later(async () => (await import('./methodsTool.tsx')).MethodsTool) },
 ];

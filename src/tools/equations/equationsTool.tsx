@@ -1,0 +1,101 @@
+/** The equations of the system on the stage: as the derivation prints them, and what they are worth now. */
+import { useComputed, useSignal } from '@preact/signals';
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { loadTypeset, type Typeset } from '../../core/systems/typeset.ts';
+import type { SystemView } from '../../core/systems/types.ts';
+import { equations as words } from '../../text/equations.ts';
+import { text } from '../../text/page.ts';
+import { useUi } from '../../ui/context.ts';
+import { Section } from '../../ui/controls.tsx';
+import { THIN } from '../../ui/format.ts';
+import { useSlowTime } from '../../ui/nowPanel.tsx';
+import { BodiesSection } from './bodiesSection.tsx';
+import { ConstraintsSection } from './constraintsSection.tsx';
+import { BookContext, useBook } from './context.ts';
+import { CoordinatesSection } from './coordinatesSection.tsx';
+import { LagrangianSection } from './lagrangianSection.tsx';
+import { meaningOf } from './meaning.ts';
+import { MotionSection } from './motionSection.tsx';
+import { NumbersSection } from './numbersSection.tsx';
+import { InputsSection } from './inputsSection.tsx';
+import { ParametersSection } from './parametersSection.tsx';
+import { loadKatex } from './rendering.ts';
+import './equations.css';
+
+const SLOW = 250;
+
+export function EquationsTool() {
+  const ui = useUi();
+  const shown = useComputed(() => ui.app.state.motion.value?.system ?? ui.system.value);
+  const view = shown.value;
+  const { typeset, state } = useTypeset(view);
+  if (!view) return <p class="hint pad">{words.noMotion}</p>;
+  if (state === 'missing') return <p class="hint pad" data-testid="equations-none">{words.none(view.meta.title)}</p>;
+  if (typeset?.system !== view.meta.id) return <p class="hint pad" role={state === 'failed' ? 'alert' : 'status'}>{state === 'failed' ? text.later.failed : text.later.loading}</p>;
+  return <Sections key={view.meta.id} view={view} typeset={typeset} />;
+}
+
+/** The equations of a system, with the type to set them. */
+function useTypeset(view: SystemView | undefined): { typeset: Typeset | null; state: 'loading' | 'ready' | 'missing' | 'failed' } {
+  const [typeset, setTypeset] = useState<Typeset | null>(null);
+  const [state, setState] = useState<'loading' | 'ready' | 'missing' | 'failed'>('loading');
+  const id = view?.meta.id ?? '';
+  useEffect(() => {
+    let current = true;
+    const loading = loadTypeset(id);
+    setState(loading ? 'loading' : 'missing');
+    Promise.all([loading, loadKatex()]).then(
+      ([loaded]) => {
+        if (!current || !loaded) return;
+        setTypeset(loaded);
+        setState('ready');
+      },
+      () => current && setState('failed'),
+    );
+    return () => { current = false; };
+  }, [id]);
+  return { typeset, state };
+}
+
+function Sections({ view, typeset }: { view: SystemView; typeset: Typeset }) {
+  const pointed = useSignal<string | null>(null);
+  const said = useSignal('');
+  const book = useMemo(() => ({ view, typeset, pointed, said }), [view, typeset]);
+  const point = (event: Event) => {
+    const found = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-symbol]') : null;
+    if (found) pointed.value = found.dataset['symbol']!;
+  };
+  const mechanical = view.meta.order !== 1;
+  const { sections } = words;
+  return (
+    <BookContext.Provider value={book}>
+      <div class="scroll equations" data-testid="equations" data-system={view.meta.id} onPointerOver={point} onPointerDown={point} onPointerLeave={() => { pointed.value = null; }}>
+        <p class="equations-about">{words.about(view.meta.title)}</p>
+        <Section title={sections.coordinates} open><CoordinatesSection /></Section>
+        {mechanical && <Section title={sections.bodies}><BodiesSection /></Section>}
+        {mechanical && <Section title={sections.lagrangian} open><LagrangianSection /></Section>}
+        <Section title={sections.motion} open><MotionSection /></Section>
+        <Section title={sections.numbers}><NumbersSection /></Section>
+        {mechanical && <Section title={sections.constraints}><ConstraintsSection /></Section>}
+        <Section title={sections.inputs}><InputsSection /></Section>
+        <Section title={sections.parameters}><ParametersSection /></Section>
+      </div>
+      <Readout />
+    </BookContext.Provider>
+  );
+}
+
+/** What the symbol that is pointed at means; also says that something was copied. */
+function Readout() {
+  const { motion } = useUi().app.state;
+  const { view, typeset, pointed, said } = useBook();
+  const time = useSlowTime(SLOW);
+  const mark = pointed.value;
+  const meaning = mark === null ? null : meaningOf(mark, view, typeset, motion.value, time);
+  return (
+    <div class="equations-readout" data-testid="equations-readout">
+      {meaning ? <><code>{mark}</code><span>{meaning.what}</span>{meaning.value && <b>={THIN}{meaning.value}</b>}</> : <span class="hint">{words.meaning.hint}</span>}
+      <span class="hidden" role="status">{said.value || (mark !== null && meaning ? meaning.what : '')}</span>
+    </div>
+  );
+}

@@ -161,8 +161,8 @@ class PrintedContact:
         velocity = hub - self.radius * (self.wheel.frame.R * self.wheel.frame.W * v).cross(up)
         made = [
             (e, Term(rf"{mark(f'R.{carrier}')}\, \mathbf e_y", axle), axle),
-            (u, Term(rf"\frac{{\mathbf e_z - ({e} \cdot \mathbf e_z)\, {e}}}{{{root}}}", up), up),
-            (f, Term(rf"\frac{{{e} \times \mathbf e_z}}{{{root}}}", forward), forward),
+            (u, Term(rf"\dfrac{{\mathbf e_z - ({e} \cdot \mathbf e_z)\, {e}}}{{{root}}}", up), up),
+            (f, Term(rf"\dfrac{{{e} \times \mathbf e_z}}{{{root}}}", forward), forward),
             (c, Term(rf"{mark(f'v.{name}')} - {latex(self.radius)}\, ({mark(f'R.{name}')}\, {mark(f'omega.{name}')}) \times {u}", velocity), velocity),
         ]
         self.formulas = tuple((f"{name}.{kind}", left, right, truth) for kind, (left, right, truth) in zip(("axle", "up", "heading", "contact"), made))

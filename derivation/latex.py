@@ -39,7 +39,7 @@ _printer = Printer()
 def latex(expression) -> str:
     """Marked LaTeX of a scalar."""
     text = _printer.doprint(sp.sympify(expression))
-    text = text.replace(r"\left(", "(").replace(r"\right)", ")")
+    text = text.replace(r"\left(", "(").replace(r"\right)", ")").replace(r"\frac{", r"\dfrac{")
     return re.sub(r" +", " ", text)
 
 

@@ -161,8 +161,8 @@ def printed_drag(described, skates) -> dict:
         h, r, J = mark(f"e.{body.name}"), mark(f"v.{body.name}"), point.jacobian(q)
         axle_text = rf"{mark(f'R.{body.name}')}\, \mathbf e_y"
         across = (body.frame.R * AXLE).cross(sp.Matrix([0, 0, 1]))
-        formulas.append((f"heading.{sub}", h, Term(rf"\frac{{({axle_text}) \times \mathbf e_z}}{{|({axle_text}) \times \mathbf e_z|}}", across / sp.sqrt(across.dot(across))), heading))
-        texts.append(rf"\left( \frac{{\partial {r}}}{{\partial \dot q}} \right)^{{\mathsf T}} {h} ({h} \cdot {r})")
+        formulas.append((f"heading.{sub}", h, Term(rf"\dfrac{{({axle_text}) \times \mathbf e_z}}{{|({axle_text}) \times \mathbf e_z|}}", across / sp.sqrt(across.dot(across))), heading))
+        texts.append(rf"\left( \dfrac{{\partial {r}}}{{\partial \dot q}} \right)^{{\mathsf T}} {h} ({h} \cdot {r})")
         total += J.T * heading * heading.dot(J * v)
     drag = Term(rf"- {mark('wheelDrag')} \left[ {' + '.join(texts)} \right]", -p["wheelDrag"] * total)
     formulas.append(("drag", r"Q^{\mathrm{drag}}", drag, wheel_drag(skates, described.pitched)))

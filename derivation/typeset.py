@@ -228,9 +228,9 @@ class Page:
         if constrained:
             lines.append(r"\Omega(q)\, \dot q = 0, \qquad \Omega\, \ddot q + \gamma = 0, \qquad \gamma = \dot\Omega\, \dot q")
         lines += [
-            r"J_b = \frac{\partial \dot{\mathbf r}_b}{\partial \dot q}, \qquad W_b = \frac{\partial \boldsymbol\omega_b}{\partial \dot q}",
+            r"J_b = \dfrac{\partial \dot{\mathbf r}_b}{\partial \dot q}, \qquad W_b = \dfrac{\partial \boldsymbol\omega_b}{\partial \dot q}",
             r"M = \sum_b \left( m_b\, J_b^{\mathsf T} J_b + W_b^{\mathsf T} I_b\, W_b \right)",
-            r"h = - \frac{\partial V}{\partial q} - \sum_b \left[ m_b\, J_b^{\mathsf T} \dot J_b\, \dot q + W_b^{\mathsf T} "
+            r"h = - \dfrac{\partial V}{\partial q} - \sum_b \left[ m_b\, J_b^{\mathsf T} \dot J_b\, \dot q + W_b^{\mathsf T} "
             r"\left( I_b\, \dot W_b\, \dot q + \boldsymbol\omega_b \times I_b\, \boldsymbol\omega_b \right) \right]" + extra,
         ]
         if constrained:

@@ -58,12 +58,17 @@ function useTypeset(view: SystemView | undefined): { typeset: Typeset | null; st
 }
 
 function Sections({ view, typeset }: { view: SystemView; typeset: Typeset }) {
+  const { state } = useUi().app;
   const pointed = useSignal<string | null>(null);
   const said = useSignal('');
   const book = useMemo(() => ({ view, typeset, pointed, said }), [view, typeset]);
   const point = (event: Event) => {
     const found = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-symbol]') : null;
-    if (found) pointed.value = found.dataset['symbol']!;
+    if (!found) return;
+    const mark = found.dataset['symbol']!;
+    const { what, value } = meaningOf(mark, view, typeset, state.motion.peek(), state.time.peek());
+    found.title = value ? `${what} = ${value}` : what;
+    pointed.value = mark;
   };
   const mechanical = view.meta.order !== 1;
   const { sections } = words;

@@ -2,8 +2,8 @@ import katex from 'katex';
 import { describe, expect, test } from 'vitest';
 import type { Motion } from '../../src/app/types.ts';
 import { cases } from '../../src/core/cases/cases.ts';
-import { parseScenario } from '../../src/core/scenario/schema.ts';
-import { Simulation } from '../../src/core/simulation/simulation.ts';
+import { checkScenario } from '../../src/core/scenario/schema.ts';
+import { EXTRA_COLUMNS, Simulation } from '../../src/core/simulation/simulation.ts';
 import { loadSystem } from '../../src/core/systems/loaders.ts';
 import { loadTypeset, marksOf, setMarks, type Typeset } from '../../src/core/systems/typeset.ts';
 import { systemViews } from '../../src/core/systems/views.ts';
@@ -84,13 +84,53 @@ describe.each(ids)('equations of %s', (id) => {
 
 /** A run of a built-in case, its rows as a motion; `without` names columns that it does not keep. */
 async function motionOf(caseId: string, duration: number, without: RegExp | null): Promise<Motion> {
-  const scenario = parseScenario({ ...cases.find(({ id }) => id === caseId)!.scenario, duration }, metas);
+  const scenario = checkScenario({ ...cases.find(({ id }) => id === caseId)!.scenario, duration }, metas);
   const system = (await loadSystem(scenario.system))!;
-  const simulation = new Simulation(scenario, system, { extras: ['lambda', 'energy', 'residual', 'inputs'] });
-  while (simulation.advance(1e9).state === 'running');
+  const simulation = new Simulation(scenario, system, { extras: EXTRA_COLUMNS });
+  while (!simulation.end) simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();
   const kept = simulation.columns.map((name, i) => [name, columns[i]!] as const).filter(([name]) => !without?.test(name));
   const trajectory = new Trajectory(kept.map(([name]) => name));
   trajectory.append(kept.map(([, values]) => values), rows);
   return { id: 1, source: 'run', title: caseId, system: systemViews[scenario.system]!, parameters: scenario.parameters, trajectory, constraints: scenario.constraints, scenario, written: null, adjustments: [], issues: [], marks: [], judgement: null };
 }
+
+describe('the matrices at a moment', () => {
+  test.each([['ridden', 'ripstik'], ['bicycle-weave', 'bicycle'], ['falling-report', 'ripstik']])('%s: multipliers computed are those that the run recorded', async (caseId, id) => {
+    const system = (await loadSystem(id))!;
+    const whole = await motionOf(caseId, 0.5, null);
+    const bare = await motionOf(caseId, 0.5, /^lambda_/);
+    const time = whole.trajectory.column('t')![30]!;
+    const [read, computed] = [presentOf(system, whole, time)!, presentOf(system, bare, time)!];
+    expect([read.computed, computed.computed]).toEqual([false, true]);
+    expect(read.m).toBe(system.constraintSets[whole.constraints!]!.rows);
+    const scale = Math.max(...read.lambda!.map(Math.abs));
+    for (let r = 0; r < read.m; r++) expect(Math.abs(read.lambda![r]! - computed.lambda![r]!)).toBeLessThan(1e-9 * scale);
+    expect(Math.max(...read.slip.map(Math.abs))).toBeLessThan(1e-12);
+    expect(read.condition).toBeGreaterThan(1);
+    // energy is the run's own
+    expect(read.kinetic + read.potential).toBeCloseTo(whole.trajectory.column('energy')![30]!, 9);
+    const force = constraintForce(read)!;
+    for (let i = 0; i < read.n; i++) {
+      const sum = Array.from(read.lambda!, (l, r) => l * read.omega[r * read.n + i]!).reduce((a, b) => a + b, 0);
+      expect(force[i]).toBeCloseTo(sum, 12);
+    }
+  });
+
+  test('a file without velocities has no numbers; one without inputs leaves them open', async () => {
+    const system = (await loadSystem('ripstik'))!;
+    const motion = await motionOf('ridden', 0.2, /_dot$/);
+    expect(presentOf(system, motion, 0.1)).toBeNull();
+    const file: Motion = { ...(await motionOf('ridden', 0.2, /^(lambda_|tau_)/)), source: 'file', scenario: null, constraints: null };
+    const present = presentOf(system, file, 0.1)!;
+    expect([present.inputs, present.lambda, constraintForce(present)]).toEqual([null, null, null]);
+    expect(present.m).toBe(4);
+  });
+
+  test('a system of first order shows its rate', async () => {
+    const motion = await motionOf(cases.find(({ scenario }) => scenario.system === 'stiff-decay')!.id, 1, null);
+    const present = presentOf((await loadSystem('stiff-decay'))!, motion, 0)!;
+    expect(present.rate![0]).toBe(-15);
+    expect(present.m).toBe(0);
+  });
+});

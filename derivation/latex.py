@@ -14,6 +14,10 @@ GREEK = {
 }
 
 
+# A numerator with more operations than this stands behind its fraction.
+LONG = 24
+
+
 class Printer(LatexPrinter):
     """Functions of one symbol without brackets; brackets that may be broken between lines."""
 
@@ -25,6 +29,10 @@ class Printer(LatexPrinter):
 
     def _print_Mul(self, expr):
         """A rational factor stands in front, so that a long sum is not caught in a fraction."""
+        above, below = sp.fraction(expr)
+        if below != 1 and sp.count_ops(above) > LONG:
+            inner = self._print(above)
+            return rf"\frac{{1}}{{{self._print(below)}}} " + (f"({inner})" if above.is_Add or above.could_extract_minus_sign() else inner)
         factor, rest = expr.as_coeff_Mul()
         if not (factor.is_Rational and factor.q != 1) or sp.fraction(rest)[1] != 1:
             return super()._print_Mul(expr)

@@ -1,12 +1,12 @@
 /** The equations of the system on the stage: as the derivation prints them, and what they are worth now. */
-import { useComputed, useSignal } from '@preact/signals';
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { loadTypeset, type Typeset } from '../../core/systems/typeset.ts';
 import type { SystemView } from '../../core/systems/types.ts';
 import { equations as words } from '../../text/equations.ts';
 import { text } from '../../text/page.ts';
 import { useUi } from '../../ui/context.ts';
-import { Section } from '../../ui/controls.tsx';
 import { THIN } from '../../ui/format.ts';
 import { useSlowTime } from '../../ui/nowPanel.tsx';
 import { BodiesSection } from './bodiesSection.tsx';
@@ -62,6 +62,12 @@ function Sections({ view, typeset }: { view: SystemView; typeset: Typeset }) {
   const pointed = useSignal<string | null>(null);
   const said = useSignal('');
   const book = useMemo(() => ({ view, typeset, pointed, said }), [view, typeset]);
+  const box = useRef<HTMLDivElement>(null);
+  useSignalEffect(() => {
+    const mark = pointed.value;
+    box.current?.querySelectorAll('.pointed').forEach((element) => element.classList.remove('pointed'));
+    if (mark !== null) box.current?.querySelectorAll(`[data-symbol="${mark}"]`).forEach((element) => element.classList.add('pointed'));
+  });
   const point = (event: Event) => {
     const found = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-symbol]') : null;
     if (!found) return;
@@ -74,19 +80,30 @@ function Sections({ view, typeset }: { view: SystemView; typeset: Typeset }) {
   const { sections } = words;
   return (
     <BookContext.Provider value={book}>
-      <div class="scroll equations" data-testid="equations" data-system={view.meta.id} onPointerOver={point} onPointerDown={point} onPointerLeave={() => { pointed.value = null; }}>
+      <div ref={box} class="scroll equations" data-testid="equations" data-system={view.meta.id} onPointerOver={point} onPointerDown={point} onPointerLeave={() => { pointed.value = null; }}>
         <p class="equations-about">{words.about(view.meta.title)}</p>
-        <Section title={sections.coordinates} open><CoordinatesSection /></Section>
-        {mechanical && <Section title={sections.bodies}><BodiesSection /></Section>}
-        {mechanical && <Section title={sections.lagrangian} open><LagrangianSection /></Section>}
-        <Section title={sections.motion} open><MotionSection /></Section>
-        <Section title={sections.numbers}><NumbersSection /></Section>
-        {mechanical && <Section title={sections.constraints}><ConstraintsSection /></Section>}
-        <Section title={sections.inputs}><InputsSection /></Section>
-        <Section title={sections.parameters}><ParametersSection /></Section>
+        <Part title={sections.coordinates} open><CoordinatesSection /></Part>
+        {mechanical && <Part title={sections.bodies}><BodiesSection /></Part>}
+        {mechanical && <Part title={sections.lagrangian} open><LagrangianSection /></Part>}
+        <Part title={sections.motion} open><MotionSection /></Part>
+        <Part title={sections.numbers}><NumbersSection /></Part>
+        {mechanical && <Part title={sections.constraints}><ConstraintsSection /></Part>}
+        <Part title={sections.inputs}><InputsSection /></Part>
+        <Part title={sections.parameters}><ParametersSection /></Part>
       </div>
       <Readout />
     </BookContext.Provider>
+  );
+}
+
+/** A part that is there while it is open: closed ones set no type and follow no time. */
+function Part({ title, open = false, children }: { title: string; open?: boolean; children: ComponentChildren }) {
+  const [shown, setShown] = useState(open);
+  return (
+    <details class="section" open={open} onToggle={(event) => setShown(event.currentTarget.open)}>
+      <summary><h3>{title}</h3></summary>
+      {shown && <div class="section-body">{children}</div>}
+    </details>
   );
 }
 

@@ -1,5 +1,4 @@
 /** One formula: typeset, its symbols explained when pointed at or walked through by keys, its LaTeX to be copied. */
-import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { marksOf, setMarks } from '../../core/systems/typeset.ts';
 import { equations as words } from '../../text/equations.ts';
@@ -11,10 +10,6 @@ export function Formula({ latex, title, label }: { latex: string; title: string;
   const box = useRef<HTMLDivElement>(null);
   const [failed, setFailed] = useState(false);
   useEffect(() => setSoon(box.current!, latex, typeset.symbols, () => setFailed(true)), [latex, typeset]);
-  useSignalEffect(() => {
-    const name = pointed.value;
-    box.current?.querySelectorAll<HTMLElement>('[data-symbol]').forEach((element) => element.classList.toggle('pointed', element.dataset['symbol'] === name));
-  });
   const onKeyDown = (event: KeyboardEvent) => {
     const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
     const marks = marksOf(latex);
@@ -61,9 +56,8 @@ function Copy({ latex, title }: { latex: string; title: string }) {
 
 /** A letter in a table, in the same type as in the formulas. */
 export function Letter({ mark }: { mark: string }) {
-  const { typeset, pointed } = useBook();
+  const { typeset } = useBook();
   const box = useRef<HTMLSpanElement>(null);
   useEffect(() => setSoon(box.current!, String.raw`\s{${mark}}`, typeset.symbols, () => undefined), [mark, typeset]);
-  useSignalEffect(() => { box.current?.classList.toggle('pointed', pointed.value === mark); });
   return <span ref={box} class="letter" />;
 }

@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import type { TypesetConstraints } from '../../core/systems/typeset.ts';
 import { equations } from '../../text/equations.ts';
 import { useUi } from '../../ui/context.ts';
@@ -40,11 +41,12 @@ function ConstraintSet({ set, inForce }: { set: TypesetConstraints; inForce: boo
 }
 
 function Entries({ row: { title, entries } }: { row: TypesetConstraints['rows'][number] }) {
+  const [open, setOpen] = useState(false);
   const name = words.titles[title] ?? title;
   return (
-    <details class="row-entries">
+    <details class="row-entries" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{words.entries(name)}</summary>
-      {entries.map(({ column, latex, operations }) =>
+      {open && entries.map(({ column, latex, operations }) =>
         latex ? <Formula key={column} latex={latex} title={`Ω ${name}, ${column}`} /> : <p key={column} class="hint">{equations.rowLeft(column, formatCount(operations!))}</p>)}
     </details>
   );

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from . import typeset
 from .constraints import Constraints
 from .model import Model
 from .tape import Tape, differentiate, record
@@ -25,7 +26,8 @@ def modules(model: Model, source: str) -> dict:
         equations += extra_force(name, force, model, inputs, n)
     for constraints in model.constraints:
         equations += constraint_set(constraints, model, inputs, n)
-    return {"equations.generated.ts": "\n".join(equations), "poses.generated.ts": "\n".join([header, poses(model, inputs)])}
+    return {"equations.generated.ts": "\n".join(equations), "poses.generated.ts": "\n".join([header, poses(model, inputs)]),
+            "typeset.generated.json": typeset.text(model)}
 
 
 def symmetric_targets(n):

@@ -34,6 +34,8 @@ export interface ParameterMeta {
   positive?: boolean;
   group: string;
   note?: string;
+  /** Where the default comes from. */
+  source?: string;
 }
 
 export interface InputMeta {

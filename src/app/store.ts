@@ -130,6 +130,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     speed: signal(1),
     heldSpeed: signal(null),
     loop: signal(false),
+    grab: signal(null),
     view: signal('orbit'),
     follow: signal(true),
     showTrails: signal(true),

@@ -4,6 +4,7 @@ import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
+import type { Push } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -100,6 +101,8 @@ export interface AppState {
   /** The speed really held over the last second, or null when not playing. */
   heldSpeed: Signal<number | null>;
   loop: Signal<boolean>;
+  /** What the person drags in the scene, or null. */
+  grab: Signal<Push | null>;
   // --- view switches
   view: Signal<ViewName>;
   follow: Signal<boolean>;

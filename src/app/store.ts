@@ -1,6 +1,6 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
-import { hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
@@ -10,6 +10,7 @@ import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
 import { LocusClient } from './locusClient.ts';
+import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
@@ -135,6 +136,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     follow: signal(true),
     showTrails: signal(true),
     showForces: signal(false),
+    look: initialLook(),
     theme: signal(dark ? 'dark' : 'light'),
     tool: signal(roomy ? 'now' : null),
     messages: signal([]),
@@ -143,10 +145,10 @@ function initialState({ dark, roomy }: Preferences): AppState {
   };
 }
 
-/** A close-up of what another system has not is no view. */
-function settleView(state: AppState): void {
-  const motion = state.motion.peek();
-  if (motion && state.view.peek() === 'caster' && !hasCloseUp(motion.system.meta.id)) state.view.value = 'orbit';
+/** A look that another system does not offer is no view. */
+function settleView({ motion, view }: AppState): void {
+  const id = motion.peek()?.system.meta.id;
+  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id)))) view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {

@@ -3,6 +3,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
+import type { Look } from './look.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { Push } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
@@ -77,7 +78,7 @@ export interface PendingFile {
   offeredStep: number;
 }
 
-export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
 
 export interface AppState {
   // --- the experiment being edited
@@ -108,6 +109,7 @@ export interface AppState {
   follow: Signal<boolean>;
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
+  look: Look;
   theme: Signal<'light' | 'dark'>;
   /** Which tool is open beside the scene, by id; null when none is. */
   tool: Signal<string | null>;

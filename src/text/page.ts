@@ -36,7 +36,7 @@ export const text = {
     held: (speed: string) => `held ${speed}`, heldTitle: 'This machine holds the slower speed', loop: 'Loop', seconds: 's', of: 'of',
   },
   view: {
-    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster' },
+    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster', rider: 'Aboard' },
     follow: 'Follow', trails: 'Trails', forces: 'Forces', switches: 'Show in the scene', scene: 'Three-dimensional view of the motion',
   },
   status: {

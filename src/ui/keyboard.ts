@@ -57,7 +57,7 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     f: () => { state.follow.value = !state.follow.peek(); },
     '?': () => { keysOpen.value = true; },
   };
-  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system)[Number(key) - 1];
+  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);
   const run = does[key.length === 1 ? key.toLowerCase() : key] ?? (view && (() => { state.view.value = view; }));
   run?.();
   return run !== undefined;

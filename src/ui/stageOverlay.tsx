@@ -1,15 +1,18 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
 import type { ViewName } from '../app/types.ts';
-import { hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
 import { text } from '../text/page.ts';
 
-const views: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
-
-/** The close-up only where there is something to come close to. */
-export const viewsOf = (systemId: string): readonly ViewName[] => (hasCloseUp(systemId) ? views : views.slice(0, -1));
+/** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
+export const viewsOf = (systemId: string): ReadonlyMap<string, ViewName> =>
+  new Map([
+    ['1', 'orbit'], ['2', 'front'], ['3', 'side'], ['4', 'top'],
+    ...(hasCloseUp(systemId) ? ([['5', 'caster']] as const) : []),
+    ...(canRide(systemId) ? ([['6', 'rider']] as const) : []),
+  ]);
 
 export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
   const ui = useUi();
@@ -34,8 +37,8 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       )}
       <div class="views">
         <div class="segments" role="group" aria-label={text.view.label}>
-          {viewsOf(system?.meta.id ?? '').map((view, i) => (
-            <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${i + 1})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>
+          {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
+            <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${key})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>
               {text.view.names[view]}
             </Toggle>
           ))}

@@ -4,8 +4,8 @@ import type { Triple } from './views.ts';
 /** Vertical field of view (rad): wide, as from aboard. */
 export const RIDER_FIELD = (58 * Math.PI) / 180;
 /** Eye and what it looks at, ahead and above, per metre of the subject's largest extent. */
-const EYE = [-0.62, 0.78] as const;
-const LOOK = [2.2, -0.35] as const;
+const EYE = [-0.72, 0.8] as const;
+const LOOK = [1.8, -0.5] as const;
 
 export interface RiderPlace {
   eye: Triple;

@@ -78,7 +78,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       options.onFirstFrame?.();
       requestRender(); // the second picture has no shaders to compile: it tells how fast the device is
     }
-    const pixels = size.height / (2 * Math.tan(MathUtils.degToRad(rig.camera.fov) / 2) * rig.distance);
+    const distance = view === 'rider' ? rig.camera.position.distanceTo(focus.position) : rig.distance;
+    const pixels = size.height / (2 * Math.tan(MathUtils.degToRad(rig.camera.fov) / 2) * distance);
     if (Math.abs(pixels / scale - 1) > 0.005) options.onScale?.((scale = pixels));
   }
 

@@ -55,6 +55,9 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     k: actions.pause,
     l: () => slowerOrFaster(app, 1),
     f: () => { state.follow.value = !state.follow.peek(); },
+    p: () => { state.look.inset.value = !state.look.inset.peek(); },
+    n: () => { state.look.names.value = !state.look.names.peek(); },
+    a: () => { state.look.frames.value = !state.look.frames.peek(); },
     '?': () => { keysOpen.value = true; },
   };
   const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);

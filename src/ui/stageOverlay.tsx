@@ -2,8 +2,11 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { ViewName } from '../app/types.ts';
 import { canRide, hasCloseUp } from '../core/models/roster.ts';
+import { canPush } from '../app/hand.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
+import { ForceLegend, Inset } from './stageCorners.tsx';
+import { ViewMenu } from './viewMenu.tsx';
 import { text } from '../text/page.ts';
 
 /** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
@@ -21,6 +24,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
   const origin = ui.origin.value;
   const system = motion?.system ?? ui.system.value;
   const [tracked, forced] = [(system?.tracks ?? system?.contacts ?? []).length > 0, (system?.contacts ?? []).length > 0];
+  const closeUp = hasCloseUp(system?.meta.id ?? '');
   const fileTitle = motion?.source === 'file' ? motion.title : null;
   return (
     <>
@@ -35,6 +39,10 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
           <p>{sceneError}</p>
         </div>
       )}
+      <div class="stage-corner">
+        {closeUp && state.look.inset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
+        {forced && state.showForces.value && <ForceLegend />}
+      </div>
       <div class="views">
         <div class="segments" role="group" aria-label={text.view.label}>
           {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
@@ -43,10 +51,14 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
             </Toggle>
           ))}
         </div>
+        <div class="view-switches">
         <div class="segments" role="group" aria-label={text.view.switches}>
           <Toggle pressed={state.follow.value} title={`${text.view.follow} (F)`} testId="toggle-follow" onClick={() => { state.follow.value = !state.follow.value; }}>{text.view.follow}</Toggle>
           {tracked && <Toggle pressed={state.showTrails.value} testId="toggle-trails" onClick={() => { state.showTrails.value = !state.showTrails.value; }}>{text.view.trails}</Toggle>}
           {forced && <Toggle pressed={state.showForces.value} testId="toggle-forces" onClick={() => { state.showForces.value = !state.showForces.value; }}>{text.view.forces}</Toggle>}
+          {canPush(motion) && <Toggle pressed={state.look.push.value} title={text.look.pushTitle} testId="toggle-push" onClick={() => { state.look.push.value = !state.look.push.value; }}>{text.look.push}</Toggle>}
+        </div>
+        <ViewMenu closeUp={closeUp} ridden={canRide(system?.meta.id ?? '')} forced={forced} />
         </div>
       </div>
     </>

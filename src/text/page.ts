@@ -43,6 +43,9 @@ export const text = {
     menu: 'Show', names: 'Names of bodies (N)', frames: 'Axes of bodies (A)', inset: 'Front caster in a corner (P)', insetTitle: 'Front caster', level: 'Keep the horizon level',
     forceScale: 'Length of force arrows', perNewton: (cm: string) => `${cm} centimetres per newton`, legend: (force: string) => `The bar is as long as the arrow of ${force}`,
     quality: 'Picture', qualities: [{ id: 'auto', label: 'as this device can' }, { id: 'low', label: 'plain' }, { id: 'high', label: 'rich' }],
+    showMode: 'Show as motion', showModeOf: (value: string) => `Show the mode ${value} as motion`, mode: (value: string) => `Mode ${value}\u202f1/s`,
+    modeHint: (angle: string) => `Not a run: the linear mode, with its largest angle ${angle}.`, growth: 'As it grows or decays', shapeOnly: 'Shape only', growthLabel: 'How the mode is shown', back: 'Back to the run',
+    modeFacts: 'mode of the linearization',
     push: 'Push', pushTitle: 'Drag a body to pull at it; Shift and drag does it at any time',
   },
   status: {

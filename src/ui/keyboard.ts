@@ -1,10 +1,10 @@
 /** The page's keys. Fields, menus and dialogs keep theirs. */
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
+import { speeds } from '../app/playbackClock.ts';
 import type { App } from '../app/types.ts';
 import { viewsOf } from './stageOverlay.tsx';
 import { timelineOf } from './timeline.ts';
-import { speeds } from './transport.tsx';
 
 const JUMP = 0.1;
 

@@ -5,6 +5,7 @@ import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { canPush } from '../app/hand.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
+import { ModeActions } from './modeActions.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
 import { text } from '../text/page.ts';
@@ -25,12 +26,13 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
   const system = motion?.system ?? ui.system.value;
   const [tracked, forced] = [(system?.tracks ?? system?.contacts ?? []).length > 0, (system?.contacts ?? []).length > 0];
   const closeUp = hasCloseUp(system?.meta.id ?? '');
-  const fileTitle = motion?.source === 'file' ? motion.title : null;
+  const fileTitle = motion && motion.source !== 'run' ? motion.title : null;
   return (
     <>
       <div class="caption">
         <p class="caption-title">{fileTitle ?? origin?.title ?? ''}</p>
         {!fileTitle && origin && <p>{origin.summary}</p>}
+        {motion?.source === 'mode' && <ModeActions />}
         {motion === null && state.run.value === null && <p>{text.hint}</p>}
       </div>
       {sceneError.value !== null && (

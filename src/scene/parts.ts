@@ -47,6 +47,7 @@ export class Parts {
     this.lights.setSize(size);
     this.ground.setPlan(floor, size, unit);
     this.labels.setPlan(floor, unit);
+    this.trails.setPlan(floor, size);
   }
 
   /** Light and ground go with the subject. @param height (m) of a board that is not on both its wheels */
@@ -61,7 +62,7 @@ export class Parts {
 
   /** Another picture: how large its pixels are. */
   resize(pixel: PixelSize): void {
-    for (const part of [this.labels, this.ghosts, this.handle, this.marks]) part.resize(pixel);
+    for (const part of [this.labels, this.trails, this.ghosts, this.handle, this.marks]) part.resize(pixel);
   }
 
   /** Names and axes, once bodies have moved or switches have changed. */

@@ -32,29 +32,33 @@ class Track {
     scene.add(this.head.mesh);
   }
 
-  look(colour: string, { perPixel }: PixelSize, size: number): void {
+  look(colour: string, { perPixel }: PixelSize): void {
     const { uniforms } = this.material;
     uniforms.colour.value.set(colour);
     uniforms.perPixel.value = perPixel;
-    uniforms.halfWidth.value = uniforms.flatness.value * HALF_WIDTH * size;
   }
 
   set(trail: Trail, floor: number, size: number): void {
     this.trail = trail;
     const change = this.data.take(trail);
     if (!change) return;
-    const { data, material } = this;
     if (change.grown) {
       this.scene.remove(this.body.mesh);
       this.body.mesh.geometry.dispose();
       this.body = this.strip();
     }
     const from = change.grown ? 0 : change.from;
+    this.settle(floor, size, change.from);
+    this.pad(from);
+  }
+
+  /** A path is a mark on the floor as long as no point leaves it. */
+  settle(floor: number, size: number, from = 0): void {
+    const { data, material } = this;
     let flat = from > 0 ? material.uniforms.flatness.value : 1;
-    for (let i = change.from; i < data.count && flat; i++) if (Math.abs(data.points[3 * i + 2]! - floor) > NEAR) flat = 0;
+    for (let i = from; i < data.count && flat; i++) if (Math.abs(data.points[3 * i + 2]! - floor) > NEAR) flat = 0;
     material.uniforms.flatness.value = flat;
     material.uniforms.halfWidth.value = flat * HALF_WIDTH * size;
-    this.pad(from);
   }
 
   show(time: number, visible: boolean): void {
@@ -141,7 +145,7 @@ export class Trails {
   setPlan(floor: number, size: number): void {
     this.floor = floor;
     this.size = size;
-    this.look();
+    for (const track of this.tracks) track.settle(floor, size);
   }
 
   resize(pixel: PixelSize): void {
@@ -160,6 +164,6 @@ export class Trails {
   }
 
   private look(): void {
-    this.tracks.forEach((track, i) => track.look(this.palette.part[this.parts[i]!], this.pixel, this.size));
+    this.tracks.forEach((track, i) => track.look(this.palette.part[this.parts[i]!], this.pixel));
   }
 }

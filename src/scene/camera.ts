@@ -51,6 +51,11 @@ export class CameraRig {
     return this.camera.position.distanceTo(this.controls.target);
   }
 
+  /** Height of the picture at a metre's distance (m). */
+  get spread(): number {
+    return 2 * Math.tan(this.camera.fov / DEGREES / 2);
+  }
+
   setReducedMotion(reduced: boolean): void {
     this.still = reduced;
     this.controls.enableDamping = !reduced;

@@ -1,5 +1,5 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
-import { Color, Fog, MathUtils, NeutralToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, Fog, Scene, Vector3 } from 'three';
 import { CameraRig } from './camera.ts';
 import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './device.ts';
@@ -10,6 +10,7 @@ import { Inset } from './inset.ts';
 import { palettes } from './palette.ts';
 import { Parts } from './parts.ts';
 import { boxOnScreen, onFacingPlane, pickBody, projected } from './picking.ts';
+import { rendererFor } from './renderer.ts';
 import { Room } from './room.ts';
 import { liesDown, type Triple } from './views.ts';
 import { MARKS } from './words.ts';
@@ -21,12 +22,7 @@ const MAX_PIXEL_RATIO = 2;
 /** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
 export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
   const { gl, software } = openContext(canvas);
-  const renderer = new WebGLRenderer({ canvas, context: gl });
-  renderer.toneMapping = NeutralToneMapping; // keeps the colours that mean something
-  renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = PCFShadowMap;
-  renderer.info.autoReset = false; // a picture may have an inset
-
+  const renderer = rendererFor(canvas, gl);
   let palette = palettes[options.theme];
   const scene = new Scene();
   const background = new Color(palette.background);
@@ -79,7 +75,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       requestRender(); // the second picture has no shaders to compile: it tells how fast the device is
     }
     const distance = view === 'rider' ? rig.camera.position.distanceTo(focus.position) : rig.distance;
-    const pixels = size.height / (2 * Math.tan(MathUtils.degToRad(rig.camera.fov) / 2) * distance);
+    const pixels = size.height / (rig.spread * distance);
     if (Math.abs(pixels / scale - 1) > 0.005) options.onScale?.((scale = pixels));
   }
 
@@ -139,7 +135,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   }
 
   function measure(): void {
-    parts.resize({ perPixel: (2 * Math.tan(MathUtils.degToRad(rig.camera.fov) / 2)) / size.height, ratio: size.ratio });
+    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio });
   }
 
   function pickAt(x: number, y: number, reach = 0) {

@@ -39,7 +39,7 @@ export class Word {
     this.text = text;
     this.colour = colour;
     this.veil = palette.background;
-    this.draw();
+    if (text !== '') this.draw();
   }
 
   /** Above a place (m), by so many CSS pixels. */

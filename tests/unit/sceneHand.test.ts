@@ -1,4 +1,4 @@
-import { PerspectiveCamera, Scene, Vector3 } from 'three';
+import { type Material, Mesh, type Object3D, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { bodyPoint, firmness, pull } from '../../src/app/hand.ts';
 import { speedFor } from '../../src/app/modes.ts';
@@ -6,6 +6,7 @@ import { speeds } from '../../src/app/playbackClock.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
 import { Bodies } from '../../src/scene/bodies.ts';
 import { Follower } from '../../src/scene/follower.ts';
+import { Ghosts } from '../../src/scene/ghosts.ts';
 import { palettes } from '../../src/scene/palette.ts';
 import { onFacingPlane, pickBody, projected } from '../../src/scene/picking.ts';
 import { riderPlace } from '../../src/scene/rider.ts';
@@ -37,6 +38,50 @@ function cubes(...places: readonly [number, number, number][]): Bodies {
   bodies.place(Float64Array.from(places.flatMap((place) => [...place, c, -s, 0, s, c, 0, 0, 0, 1])), new Float64Array(0));
   return bodies;
 }
+
+describe('ghosts', () => {
+  const at = (x: number): Float64Array => Float64Array.of(x, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+  const ghost = (id: string, x: number) => ({ id, label: '', tint: '#0072B2', poses: at(x), wheelAngles: new Float64Array(0) });
+  const meshesOf = (root: Object3D): Mesh[] => {
+    const list: Mesh[] = [];
+    root.traverse((child) => child instanceof Mesh && list.push(child));
+    return list;
+  };
+
+  test('share the geometry of the bodies, cast no shadow, and go where they are told', () => {
+    const scene = new Scene();
+    const bodies = cubes([0, 0, 0]);
+    const ghosts = new Ghosts(scene, palettes.light, bodies);
+    const poses = at(2);
+    ghosts.set([{ ...ghost('a', 2), poses }, ghost('b', 3)]);
+    poses.fill(0); // not kept
+    const groups = (): Object3D[] => scene.children.filter((child) => child.name === 'cube-0');
+    expect(groups().map((group) => group.matrix.elements[12])).toEqual([2, 3]);
+    const own = meshesOf(bodies.roots()[0]!)[0]!;
+    for (const mesh of groups().flatMap(meshesOf)) {
+      expect(mesh.geometry).toBe(own.geometry);
+      expect([mesh.castShadow, mesh.receiveShadow, (mesh.material as Material).transparent]).toEqual([false, false, true]);
+    }
+    const kept = groups()[0];
+    ghosts.set([ghost('a', 5)]);
+    expect(groups()).toEqual([kept]);
+    expect(kept!.matrix.elements[12]).toBe(5);
+    ghosts.set([]);
+    expect(groups()).toEqual([]);
+  });
+
+  test('take up other meshes of the cast where they are', () => {
+    const scene = new Scene();
+    const bodies = cubes([0, 0, 0]);
+    const ghosts = new Ghosts(scene, palettes.light, bodies);
+    ghosts.set([ghost('a', 4)]);
+    bodies.replace('cube-0', { mdl: CUBE, mat: 'newmtl plastic\nKd 0.5 0.5 0.5\n' });
+    ghosts.follow();
+    const [group] = scene.children.filter((child) => child.name === 'cube-0');
+    expect(group!.matrix.elements[12]).toBe(4);
+    expect(meshesOf(group!)[0]!.geometry).toBe(meshesOf(bodies.roots()[0]!)[0]!.geometry);
+  });
+});
 
 describe('picking', () => {
   test('finds the body under the place, the nearest of several, and the point in its own frame', () => {

@@ -1,3 +1,4 @@
+import { batch } from '@preact/signals';
 import { checkScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { Continuation, RunCounts } from '../core/simulation/simulation.ts';
@@ -6,7 +7,7 @@ import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { Messages } from './messages.ts';
 import type { RunClient } from './runClient.ts';
-import type { AppState, Motion } from './types.ts';
+import type { AppState, Motion, RunState, RunStatistics } from './types.ts';
 
 /** A mark where the controller was changed under way; one that follows sooner than this (s) takes the place of the last. */
 const RETUNED = 'retuned';
@@ -45,6 +46,21 @@ export class Runs {
     this.settle();
     state.rowsVersion.value++;
     state.playing.value = true;
+  }
+
+  /** Puts a motion back that was on the stage before, paused where it was. */
+  restore(motion: Motion, run: RunState | null, statistics: RunStatistics | null, time: number): void {
+    this.client.abandon();
+    const { state } = this;
+    batch(() => {
+      state.playing.value = false;
+      state.run.value = run;
+      state.statistics.value = statistics;
+      state.motion.value = motion;
+      state.time.value = time;
+      state.rowsVersion.value++;
+    });
+    this.settle();
   }
 
   /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */

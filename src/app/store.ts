@@ -1,8 +1,8 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
-import { hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
-import type { ScenarioFile } from '../core/scenario/types.ts';
+import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
 import type { Comparison } from './comparison.ts';
 import { ControlClient } from './controlClient.ts';
@@ -10,8 +10,10 @@ import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
 import { LocusClient } from './locusClient.ts';
+import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
-import { runPlaybackClock } from './playbackClock.ts';
+import { ModeStage } from './modes.ts';
+import { runPlaybackClock, speeds } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
 import { Runs } from './runs.ts';
 import { samples } from './samples.ts';
@@ -41,6 +43,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
   const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
+  const modes = new ModeStage(state, runs, systemViews, systemMetas);
   keepDrafts(state);
   const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
   runPlaybackClock(state, {
@@ -87,6 +90,15 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
     compare: (contenders, scenario) => comparison.start(scenario ?? state.draft.peek(), contenders, systemMetas),
+    showMode(mode, growth) {
+      try {
+        modes.show(mode, growth, speeds);
+      } catch (error) {
+        if (!(error instanceof ScenarioError)) throw error;
+        messages.add('error', 'The mode cannot be shown', [error.message]);
+      }
+    },
+    leaveMode: () => modes.back(),
     report: (kind, title, details) => messages.add(kind, title, details),
   };
   return {
@@ -131,10 +143,13 @@ function initialState({ dark, roomy }: Preferences): AppState {
     speed: signal(1),
     heldSpeed: signal(null),
     loop: signal(false),
+    grab: signal(null),
+    aside: signal(null),
     view: signal('orbit'),
     follow: signal(true),
     showTrails: signal(true),
     showForces: signal(false),
+    look: initialLook(),
     theme: signal(dark ? 'dark' : 'light'),
     plots: signal({ own: null, degrees: true, wrapped: false }),
     tool: signal(roomy ? 'now' : null),
@@ -145,10 +160,10 @@ function initialState({ dark, roomy }: Preferences): AppState {
   };
 }
 
-/** A close-up of what another system has not is no view. */
-function settleView(state: AppState): void {
-  const motion = state.motion.peek();
-  if (motion && state.view.peek() === 'caster' && !hasCloseUp(motion.system.meta.id)) state.view.value = 'orbit';
+/** A look that another system does not offer is no view. */
+function settleView({ motion, view }: AppState): void {
+  const id = motion.peek()?.system.meta.id;
+  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id)))) view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {

@@ -4,7 +4,10 @@ import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
 import type { Case } from '../core/cases/case.ts';
+import type { Look } from './look.ts';
+import type { Aside, ModeRequest } from './modes.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
+import type { Push } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -41,10 +44,11 @@ export interface FileIssue {
   message: string;
 }
 
-/** Something that can be watched: a live run or a loaded file. */
+/** Something that can be watched: a live run, a loaded file, a mode. */
 export interface Motion {
   id: number;
-  source: 'run' | 'file';
+  /** A mode is an eigenvector shown as motion: no solution of the equations, and not a file's. */
+  source: 'run' | 'file' | 'mode';
   title: string;
   system: SystemView;
   /** Parameters the bodies are drawn with. */
@@ -97,7 +101,7 @@ export interface PlotsState {
   wrapped: boolean;
 }
 
-export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
 
 export interface AppState {
   // --- the experiment being edited
@@ -121,11 +125,16 @@ export interface AppState {
   /** The speed really held over the last second, or null when not playing. */
   heldSpeed: Signal<number | null>;
   loop: Signal<boolean>;
+  /** What the person drags in the scene, or null. */
+  grab: Signal<Push | null>;
+  /** While a mode is on the stage: which, and what it stands in for. */
+  aside: Signal<Aside | null>;
   // --- view switches
   view: Signal<ViewName>;
   follow: Signal<boolean>;
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
+  look: Look;
   theme: Signal<'light' | 'dark'>;
   plots: Signal<PlotsState>;
   /** Which tool is open beside the scene, by id; null when none is. */
@@ -169,6 +178,10 @@ export interface AppActions {
   /** Runs the draft with each of these methods. @throws ScenarioError when the draft itself can't run */
   /** Of the scenario in the panel, unless another is given. */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
+  /** Puts a mode on the stage, growing as it does or by its shape alone. */
+  showMode(mode: ModeRequest, growth: boolean): void;
+  /** From a mode back to what was on the stage before. */
+  leaveMode(): void;
   /** Tells the person something that happened outside the store. */
   report(kind: Message['kind'], title: string, details: readonly string[]): void;
 }

@@ -13,9 +13,9 @@ export function StatusLine() {
   const motion = ui.app.state.motion.value;
   return (
     <footer class="status" data-testid="status" aria-label={text.status.label}>
-      {motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
+      {motion?.source === 'mode' ? <span>{text.look.modeFacts}</span> : motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
       <span class="spring" />
-      <RunStanding />
+      {motion?.source !== 'mode' && <RunStanding />}
     </footer>
   );
 }

@@ -138,6 +138,8 @@ export interface System extends SystemView {
   jacobians(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
   /** `out` = [kinetic, potential] in J. */
   energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Exact derivatives of `poses` by q (12 per body x n). Without it no body can be pushed. */
+  poseJacobian?(q: Float64Array, p: Float64Array, out: Float64Array): void;
   constraintSets: Readonly<Record<string, ConstraintSet>>;
   /**
    * A system of first order: f of `q' = f(q)` and df/dq (n x n). Its `mechanics` are then that equation's rate, M = 1 and

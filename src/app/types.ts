@@ -4,7 +4,7 @@ import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
-import type { Push } from '../core/simulation/push.ts';
+import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -59,6 +59,8 @@ export interface Motion {
   issues: readonly FileIssue[];
   /** Event marks on the time line. */
   marks: readonly { time: number; name: string }[];
+  /** What a hand did to the run: with it, and only with it, the scenario can be run again. */
+  pushes?: readonly PushRecord[];
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
   judgement: { energyDrift: number; residual: number } | null;
 }

@@ -168,6 +168,11 @@ export class Simulation {
     return this.stepper.t;
   }
 
+  /** Computed as far as its horizon. */
+  get waits(): boolean {
+    return !this.end && this.stepper.t >= this.horizon - REACHED;
+  }
+
   get counts(): RunCounts {
     const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
     const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(this.earlier, this.stepper.counters);
@@ -188,7 +193,7 @@ export class Simulation {
 
   /** Steps until the run ends, its horizon is reached or `pause` (asked after every step) says so. */
   advance(pause: () => boolean): void {
-    while (!this.end && this.stepper.t < this.horizon - REACHED) {
+    while (!this.end && !this.waits) {
       this.oneStep();
       if (pause()) return;
     }

@@ -71,9 +71,11 @@ export function measured(measure: Measure, column: (name: string) => Float64Arra
       return energy(measure.spent);
     case 'transport':
       return energy(measure.spent) / distance(measure);
+    case 'max':
+      return Math.max(...within(column(measure.column)));
+    case 'min':
+      return Math.min(...within(column(measure.column)));
   }
-  const values = within(column(measure.column));
-  return measure.kind === 'max' ? Math.max(...values) : Math.min(...values);
 }
 
 /** Least squares of x² + y² + a x + b y + c = 0 over the points, about their mean; the diameter of that circle. */

@@ -1,0 +1,77 @@
+/** How far a balanced board may be disturbed and still come upright again: by simulation, with one design per speed. */
+import { feedbackOf } from '../../core/control/feedback.ts';
+import { checkScenario } from '../../core/scenario/schema.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
+import { Simulation } from '../../core/simulation/simulation.ts';
+import { systems } from '../../core/systems/registry.ts';
+
+const system = systems['ripstik']!;
+const metas = { ripstik: system.meta };
+const DEGREE = Math.PI / 180;
+/** A board whose plates are within this of upright at the end has come back, rad. */
+const UPRIGHT = 0.5 * DEGREE;
+const LEAN_S = 12;
+const PUSH_S = 14;
+/** Runs are told apart by whether they fall: digits beyond these do not matter. */
+const METHOD = { rtol: 1e-6, atol: 1e-9 };
+
+export interface Balance {
+  /** m/s. */
+  speed: number;
+  inputs: readonly string[];
+  /** Of each input, N·m; null: none. */
+  limit: number | null;
+}
+
+/** Whether the board comes upright with its plates (and not its rod) leaning at the start by an angle (rad). */
+export function leanTest(balance: Balance): (lean: number) => boolean {
+  const recovers = recovery(balance, LEAN_S);
+  return (lean) => recovers({ initial: { X_dot: balance.speed, alpha_fp: lean, alpha_bp: lean } });
+}
+
+/** Whether it comes upright after the report's two blows (its section 3.5), N·m on each plate, here at 2 s and 6 s. */
+export function pushTest(balance: Balance): (size: number) => boolean {
+  const recovers = recovery(balance, PUSH_S);
+  return (size) => {
+    const push = `${size}*exp(-10*(t-2)^2) - ${size}*exp(-10*(t-6)^2)`;
+    return recovers({ initial: { X_dot: balance.speed }, inputs: { tau_fp: push, tau_bp: push } });
+  };
+}
+
+/** The design is made once; it does not depend on what disturbs the board. */
+function recovery({ speed, inputs, limit }: Balance, duration: number): (what: Partial<ScenarioFile>) => boolean {
+  const limits = limit === null ? {} : Object.fromEntries(inputs.map((name) => [name, limit]));
+  const control = { type: 'lqr' as const, inputs: [...inputs], at: { X_dot: speed }, limits };
+  const base: ScenarioFile = { version: 1, system: 'ripstik', control, method: METHOD, duration, outputStep: duration };
+  const feedback = feedbackOf(checkScenario(base, metas), system);
+  return (what) => {
+    const simulation = new Simulation(checkScenario({ ...base, ...what }, metas), system, { feedback });
+    simulation.advance(() => false);
+    if (simulation.end!.reason !== 'end') return false;
+    const { columns, rows } = simulation.takeChunk();
+    const last = (name: string): number => columns[simulation.columns.indexOf(name)]![rows - 1]!;
+    return ['alpha_fp', 'alpha_bp'].every((plate) => Math.abs(last('alpha') + last(plate)) < UPRIGHT);
+  };
+}
+
+/**
+ * The largest size, `most` at most, that is survived: doubled or halved from `start` until survival changes, then bisected until the two
+ * ends are within `ratio`. A gap of failures below what is found would not be seen.
+ */
+export function largest(survives: (size: number) => boolean, start: number, most: number, ratio: number): { survived: number; failed: number } {
+  let [low, high] = [0, Infinity];
+  for (let size = start; low === 0 || high === Infinity; size = low === 0 ? size / 2 : Math.min(2 * size, most)) {
+    if (size < start / 2 ** 24) return { survived: 0, failed: high };
+    if (survives(size)) low = size;
+    else high = size;
+    if (low === most) return { survived: most, failed: Infinity };
+  }
+  while (high > ratio * low) {
+    const middle = Math.sqrt(low * high);
+    if (survives(middle)) low = middle;
+    else high = middle;
+  }
+  return { survived: low, failed: high };
+}
+
+export const degrees = (angle: number): number => angle / DEGREE;

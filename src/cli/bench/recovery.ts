@@ -54,18 +54,25 @@ function recovery({ speed, inputs, limit }: Balance, duration: number): (what: P
   };
 }
 
+/** Steps in which sizes are tried upwards: islands of survival beyond the first failure are not taken for the limit. */
+const STRIDE = 1.08;
+
 /**
- * The largest size, `most` at most, that is survived: doubled or halved from `start` until survival changes, then bisected until the two
- * ends are within `ratio`. A gap of failures below what is found would not be seen.
+ * How much is survived: halved from `start` until it is, then raised by strides to the first failure (at most to `most`),
+ * then bisected until the two ends are within `ratio`. Gaps narrower than a stride are not seen.
  */
 export function largest(survives: (size: number) => boolean, start: number, most: number, ratio: number): { survived: number; failed: number } {
-  let [low, high] = [0, Infinity];
-  for (let size = start; low === 0 || high === Infinity; size = low === 0 ? size / 2 : Math.min(2 * size, most)) {
-    if (size < start / 2 ** 24) return { survived: 0, failed: high };
-    if (survives(size)) low = size;
-    else high = size;
-    if (low === most) return { survived: most, failed: Infinity };
+  let low = start;
+  while (!survives(low)) {
+    low /= 2;
+    if (low < start / 2 ** 24) return { survived: 0, failed: 2 * low };
   }
+  let high = low;
+  do {
+    if (low >= most) return { survived: most, failed: Infinity };
+    low = high;
+    high = Math.min(most, STRIDE * high);
+  } while (survives(high));
   while (high > ratio * low) {
     const middle = Math.sqrt(low * high);
     if (survives(middle)) low = middle;

@@ -96,6 +96,8 @@ export interface SystemMeta {
   inputs: readonly InputMeta[];
   /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
   speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
+  /** Which way is forward, where `speed` does not say it: the velocity along the heading is what gains are scheduled over. */
+  forward?: { along: readonly [string, string]; heading: string };
   /** Inputs that a regulator is first offered with; all of them where this is left out. */
   regulators?: readonly string[];
   bodies: readonly BodyMeta[];

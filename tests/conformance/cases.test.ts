@@ -25,6 +25,7 @@ const ends: Readonly<Record<string, Readonly<Record<string, readonly [value: num
   'falling-ground': { Y: [-0.02497, 1e-4], alpha_fp: [0.28249, 1e-4] },
   'balanced-feet': { X: [0.079496, 1e-5], alpha_fp: [0, 1e-4], alpha_bp: [0, 1e-4], theta_fc: [0, 1e-4] },
   'balanced-pushed': { X: [11.838803, 1e-4], alpha_bp: [-0.002133, 1e-5], theta_fc: [0.001526, 1e-5] },
+  scheduled: { X_dot: [4.101, 1e-3], alpha_fp: [0, 1e-4], theta_fc: [0, 1e-4] },
   circle: { X: [1.43666, 1e-3], Y: [-3.45009, 1e-3], theta: [-14.95352, 1e-3] },
   turning: { X: [15.0041, 1e-3], Y: [3.7102, 1e-3] },
   'cart-pendulum': { X: [0.252355, 1e-5], theta: [-3.570098, 1e-5] },

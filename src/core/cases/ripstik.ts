@@ -192,6 +192,24 @@ export const ripstikCases: readonly Case[] = [
     ],
   },
   {
+    id: 'scheduled',
+    title: 'Gains that follow the speed',
+    source: '',
+    look: 'Driven from 0.5 to 4 m/s, its gains interpolated at the speed it has. Switch the schedule off in Control: the gain for 3 m/s alone lets it fall within a second.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 0.5, alpha_fp: '2 deg', alpha_bp: '2 deg' },
+      inputs: { f_X: 1.5 },
+      control: { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 3 }, schedule: { from: 0.3, to: 4, count: 8 } },
+      duration: 12,
+    },
+    plots: [
+      { title: 'Roll of the plates, steer', x: 't', y: ['alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc'], unit: 'deg' },
+      { title: 'Speed', x: 't', y: ['X_dot'], unit: 'm/s' },
+    ],
+  },
+  {
     id: 'circle',
     title: 'Holds its speed on a circle',
     source: '',

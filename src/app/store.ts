@@ -9,6 +9,7 @@ import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
+import { pushComments } from './pushing.ts';
 import { LocusClient } from './locusClient.ts';
 import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
@@ -199,7 +200,7 @@ async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): P
   }
   const { trajectory } = motion;
   const columns = [...trajectory.columns];
-  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`] : [];
+  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)] : [];
   const text = await csv.write(columns, columns.map((name) => trajectory.column(name)!.slice()), comments);
   download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, [text], 'text/csv');
 }

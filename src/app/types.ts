@@ -7,7 +7,7 @@ import type { Case } from '../core/cases/case.ts';
 import type { Look } from './look.ts';
 import type { Aside, ModeRequest } from './modes.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
-import type { Push } from '../core/simulation/push.ts';
+import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -63,6 +63,8 @@ export interface Motion {
   issues: readonly FileIssue[];
   /** Event marks on the time line. */
   marks: readonly { time: number; name: string }[];
+  /** What a hand did to the run: with it, and only with it, the scenario can be run again. */
+  pushes?: readonly PushRecord[];
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
   judgement: { energyDrift: number; residual: number } | null;
 }

@@ -29,6 +29,7 @@ export const text = {
     rateOf: (label: string) => `rate of ${label}`, weightOf: (label: string) => `weight of ${label}`, limitOf: (label: string) => `largest ${label}`,
     computing: 'Computing the gain', slowest: 'slowest time constant', damping: 'least damping ratio', reached: 'modes that the inputs reach', residual: 'Riccati residual',
     of: (part: number, whole: number) => `${part} of ${whole}`, untouched: (names: string) => `Left as they are, because no input reaches them or no weight sees them: ${names}.`,
+    schedule: 'Over the speed', scheduled: 'gains follow the forward speed', scheduleEnds: { from: 'v₁', to: 'v₂' }, scheduleLabels: { from: 'lowest speed of the schedule', to: 'highest speed of the schedule' },
     plane: (list: string) => `Closed-loop eigenvalues: ${list}`, legend: '× open loop   ● closed loop',
   },
   transport: {

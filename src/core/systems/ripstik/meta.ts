@@ -55,6 +55,7 @@ export const ripstikMeta = {
     { name: 'tau_bc', symbol: 'τ_bc', label: 'back steering motor', unit: 'N·m', column: { theta_bc: 1 }, tracks: ['theta_bc'] },
   ],
   regulators: ['tau_fc', 'tau_bc'],
+  forward: { along: ['X_dot', 'Y_dot'], heading: 'theta' },
   bodies: [
     { id: 'rod', label: 'rod', part: 'board' },
     { id: 'front-plate', label: 'front plate', part: 'front' },

@@ -17,22 +17,34 @@ export function resample(trajectory: Trajectory, name: string, times: Float64Arr
   const last = y.length - 1;
   let row = 0;
   for (let k = 0; k < times.length; k++) {
-    const time = times[k]!;
-    while (row < last && t[row + 1]! <= time) row++;
-    const from = t[row]!;
-    if (row === last || time <= from) {
-      out[k] = y[row]!;
-      continue;
-    }
-    const span = t[row + 1]! - from;
-    const s = (time - from) / span;
-    const rise = period > 0 ? shorter(y[row + 1]! - y[row]!, period) : y[row + 1]! - y[row]!;
-    const [d0, d1] = rate ? [rate[row]! * span, rate[row + 1]! * span] : [rise, rise];
-    // Hermite's form about the row before: exact at both ends, the chord where a rate is not a number.
-    const smooth = s * (d0 + s * (3 * rise - 2 * d0 - d1 + s * (d0 + d1 - 2 * rise)));
-    out[k] = y[row]! + (Number.isNaN(smooth) ? s * rise : smooth);
+    while (row < last && t[row + 1]! <= times[k]!) row++;
+    out[k] = between(t, y, rate, row, times[k]!, period);
   }
   return out;
+}
+
+/** As `resample`, at one time, from the two rows about it. */
+export function valueAt(trajectory: Trajectory, name: string, time: number, period = 0): number | null {
+  const y = trajectory.column(name);
+  if (!y || y.length === 0) return null;
+  const t = trajectory.column('t')!;
+  const row = time >= t[y.length - 1]! ? y.length - 1 : trajectory.locate(time);
+  return between(t, y, trajectory.column(`${name}_dot`), row, time, period);
+}
+
+/** Between a row and the one after it. */
+function between(t: Float64Array, y: Float64Array, rate: Float64Array | undefined, row: number, time: number, period: number): number {
+  const from = t[row]!;
+  if (row === y.length - 1 || time <= from) return y[row]!;
+  const span = t[row + 1]! - from;
+  const s = (time - from) / span;
+  const step = y[row + 1]! - y[row]!;
+  const rise = period > 0 ? shorter(step, period) : step;
+  const d0 = rate ? rate[row]! * span : rise;
+  const d1 = rate ? rate[row + 1]! * span : rise;
+  // Hermite's form about the row before: exact at both ends, the chord where a rate is not a number.
+  const smooth = s * (d0 + s * (3 * rise - 2 * d0 - d1 + s * (d0 + d1 - 2 * rise)));
+  return y[row]! + (Number.isNaN(smooth) ? s * rise : smooth);
 }
 
 /** The same angle within half a period of zero. */

@@ -1,6 +1,6 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
-import { hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
@@ -11,6 +11,7 @@ import { download } from './download.ts';
 import { FileOpener } from './files.ts';
 import { Kept } from './kept.ts';
 import { LocusClient } from './locusClient.ts';
+import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
@@ -142,10 +143,12 @@ function initialState({ dark, roomy }: Preferences): AppState {
     speed: signal(1),
     heldSpeed: signal(null),
     loop: signal(false),
+    grab: signal(null),
     view: signal('orbit'),
     follow: signal(true),
     showTrails: signal(true),
     showForces: signal(false),
+    look: initialLook(),
     theme: signal(dark ? 'dark' : 'light'),
     tool: signal(roomy ? 'now' : null),
     messages: signal([]),
@@ -154,10 +157,10 @@ function initialState({ dark, roomy }: Preferences): AppState {
   };
 }
 
-/** A close-up of what another system has not is no view. */
-function settleView(state: AppState): void {
-  const motion = state.motion.peek();
-  if (motion && state.view.peek() === 'caster' && !hasCloseUp(motion.system.meta.id)) state.view.value = 'orbit';
+/** A look that another system does not offer is no view. */
+function settleView({ motion, view }: AppState): void {
+  const id = motion.peek()?.system.meta.id;
+  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id)))) view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {

@@ -4,8 +4,10 @@ import type { Comparison, Contender } from './comparison.ts';
 import type { Kept, KeptRun } from './kept.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
+import type { Look } from './look.ts';
 import type { Sweep } from './sweep.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
+import type { Push } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -78,7 +80,7 @@ export interface PendingFile {
   offeredStep: number;
 }
 
-export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
 
 export interface AppState {
   // --- the experiment being edited
@@ -104,11 +106,14 @@ export interface AppState {
   /** The speed really held over the last second, or null when not playing. */
   heldSpeed: Signal<number | null>;
   loop: Signal<boolean>;
+  /** What the person drags in the scene, or null. */
+  grab: Signal<Push | null>;
   // --- view switches
   view: Signal<ViewName>;
   follow: Signal<boolean>;
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
+  look: Look;
   theme: Signal<'light' | 'dark'>;
   /** Which tool is open beside the scene, by id; null when none is. */
   tool: Signal<string | null>;

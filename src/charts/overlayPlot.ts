@@ -31,7 +31,7 @@ export interface OverlayPlot {
   destroy(): void;
 }
 
-const LEFT = 62;
+const LEFT = 68;
 const RIGHT = 12;
 const TOP = 10;
 const BOTTOM = 36;
@@ -190,7 +190,7 @@ class Overlay implements OverlayPlot {
     context.textBaseline = 'bottom';
     context.fillText(this.options.xLabel, left + width / 2, bottom + BOTTOM - 2);
     context.save();
-    context.translate(11, top + height / 2);
+    context.translate(8, top + height / 2);
     context.rotate(-Math.PI / 2);
     context.textBaseline = 'middle';
     context.fillText(this.options.yLabel, 0, 0);

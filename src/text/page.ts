@@ -36,8 +36,14 @@ export const text = {
     held: (speed: string) => `held ${speed}`, heldTitle: 'This machine holds the slower speed', loop: 'Loop', seconds: 's', of: 'of',
   },
   view: {
-    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster' },
+    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster', rider: 'Aboard' },
     follow: 'Follow', trails: 'Trails', forces: 'Forces', switches: 'Show in the scene', scene: 'Three-dimensional view of the motion',
+  },
+  look: {
+    menu: 'Show', names: 'Names of bodies (N)', frames: 'Axes of bodies (A)', inset: 'Front caster in a corner (P)', insetTitle: 'Front caster', level: 'Keep the horizon level',
+    forceScale: 'Length of force arrows', perNewton: (cm: string) => `${cm} centimetres per newton`, legend: (force: string) => `The bar is as long as the arrow of ${force}`,
+    quality: 'Picture', qualities: [{ id: 'auto', label: 'as this device can' }, { id: 'low', label: 'plain' }, { id: 'high', label: 'rich' }],
+    push: 'Push', pushTitle: 'Drag a body to pull at it; Shift and drag does it at any time',
   },
   status: {
     label: 'Status', steps: 'steps', energy: 'energy', energyTitle: 'Energy now minus energy at the start, relative to largest kinetic energy',
@@ -98,7 +104,8 @@ export const text = {
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
-    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
+    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
+    ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'],
     ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

@@ -56,9 +56,12 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     l: () => slowerOrFaster(app, 1),
     b: () => void app.kept.keep(),
     f: () => { state.follow.value = !state.follow.peek(); },
+    p: () => { state.look.inset.value = !state.look.inset.peek(); },
+    n: () => { state.look.names.value = !state.look.names.peek(); },
+    a: () => { state.look.frames.value = !state.look.frames.peek(); },
     '?': () => { keysOpen.value = true; },
   };
-  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system)[Number(key) - 1];
+  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);
   const run = does[key.length === 1 ? key.toLowerCase() : key] ?? (view && (() => { state.view.value = view; }));
   run?.();
   return run !== undefined;

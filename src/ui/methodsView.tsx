@@ -7,7 +7,7 @@ import { methodSets, type MethodChoice, type MethodSet } from '../core/cases/met
 import type { MethodOptions } from '../core/scenario/types.ts';
 import { useUi } from './context.ts';
 import { Check } from './controls.tsx';
-import { CURVES } from './curveStyles.ts';
+import { CURVES } from '../app/curveStyles.ts';
 import { formatCount, formatScientific, formatShort } from './format.ts';
 import { text } from '../text/page.ts';
 

@@ -3,7 +3,7 @@ import { words } from '../../text/compare.ts';
 import { text } from '../../text/page.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon, Toggle } from '../../ui/controls.tsx';
-import { CURVES } from '../../ui/curveStyles.ts';
+import { CURVES } from '../../app/curveStyles.ts';
 import { formatCount, formatScientific, formatShort, THIN } from '../../ui/format.ts';
 
 /** A short line as a curve is drawn. */

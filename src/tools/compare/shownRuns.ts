@@ -1,5 +1,5 @@
 import type { App, Motion } from '../../app/types.ts';
-import { CURVES } from '../../ui/curveStyles.ts';
+import { CURVES } from '../../app/curveStyles.ts';
 
 /** One run in the plots and tables: the one on the stage, or a kept one. */
 export interface ShownRun {

@@ -19,6 +19,6 @@ export function ghostsAt(state: AppState, stage: Stage, time: number): GhostPose
   return shown.flatMap(({ id, name, style, motion: own }) => {
     const sampler = stage.samplerOf(own);
     if (!sampler.sample(time)) return [];
-    return [{ id: String(id), label: name, tint: CURVES[style % CURVES.length]!.color, poses: sampler.poses, wheelAngles: sampler.wheelAngles }];
+    return [{ id: `${id}/${style}/${name}`, label: name, tint: CURVES[style % CURVES.length]!.color, poses: sampler.poses, wheelAngles: sampler.wheelAngles }];
   });
 }

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { download } from '../../app/download.ts';
-import { runsOf, valuesAt, type SweepPlan } from '../../app/sweep.ts';
+import { runsOf, valuesAt, type SweepPlan, type SweepResult } from '../../app/sweep.ts';
 import { words } from '../../text/compare.ts';
 import { text } from '../../text/page.ts';
 import { useUi } from '../../ui/context.ts';
@@ -30,17 +31,7 @@ export function SweepTable({ plan, infos, onPick }: { plan: SweepPlan; infos: re
             <th scope="col">{own.ended}</th>
             <th scope="col"><span class="hidden">{own.pick}</span></th>
           </tr></thead>
-          <tbody>{jobs.map((job) => {
-            const result = sweep.results[job];
-            return (
-              <tr key={job} data-testid={`sweep-row-${job}`}>
-                {valuesAt(plan, job).map((v, a) => <th key={a} scope={a === 0 ? 'row' : undefined}>{v.label}</th>)}
-                {infos.map((m, i) => <td key={m.id}>{result ? measureText(result.values[i]! * m.factor) : '…'}</td>)}
-                <td class="why" title={result?.message}>{result ? (result.reason === 'refused' ? own.refused : (text.status.reasons[result.reason] ?? result.reason)) : ''}</td>
-                <td><button type="button" class="link" data-testid={`sweep-pick-${job}`} onClick={() => onPick(job)}>{own.pick}</button></td>
-              </tr>
-            );
-          })}</tbody>
+          <tbody>{jobs.map((job) => <Row key={job} plan={plan} job={job} result={sweep.results[job]} infos={infos} onPick={onPick} />)}</tbody>
         </table>
       </div>
       <div class="compare-row">
@@ -56,6 +47,20 @@ export function SweepTable({ plan, infos, onPick }: { plan: SweepPlan; infos: re
       </div>
     </>
   );
+}
+
+/** One run; the same element as long as its result is, so that a renewal costs only what is new. */
+function Row({ plan, job, result, infos, onPick }: {
+  plan: SweepPlan; job: number; result: SweepResult | undefined; infos: readonly ReturnType<typeof measureInfo>[]; onPick(job: number): void;
+}) {
+  return useMemo(() => (
+    <tr data-testid={`sweep-row-${job}`}>
+      {valuesAt(plan, job).map((v, a) => <th key={a} scope={a === 0 ? 'row' : undefined}>{v.label}</th>)}
+      {infos.map((m, i) => <td key={m.id}>{result ? measureText(result.values[i]! * m.factor) : '…'}</td>)}
+      <td class="why" title={result?.message}>{result ? (result.reason === 'refused' ? own.refused : (text.status.reasons[result.reason] ?? result.reason)) : ''}</td>
+      <td><button type="button" class="link" data-testid={`sweep-pick-${job}`} onClick={() => onPick(job)}>{own.pick}</button></td>
+    </tr>
+  ), [plan, job, result]);
 }
 
 /** In SI units and radians, a row a run that is done. */

@@ -67,12 +67,12 @@ function Row({ run }: { run: KeptRun }) {
 function factsOf({ motion, ending, statistics }: KeptRun): string {
   const { trajectory, scenario, source, system } = motion;
   const facts = [
-    system.meta.title,
     source === 'file' ? words.file : (scenario?.method.name ?? ''),
     source === 'run' && (ending ? (text.status.reasons[ending.reason] ?? ending.reason) : words.computing),
     `${formatShort(trajectory.start, 4) === '0' ? '' : `${formatShort(trajectory.start, 4)} – `}${formatShort(trajectory.end, 4)}${THIN}s`,
     `${formatCount(trajectory.length)} ${words.rows}`,
     statistics && system.meta.order !== 1 && `${text.status.energy} ${formatScientific(statistics.energyDrift)}`,
+    system.meta.title,
   ];
   return facts.filter(Boolean).join(' · ');
 }

@@ -1,7 +1,7 @@
 // npm run limits: the largest lean and push from which the balanced board recovers, against speed, into docs/limits/ as CSV and SVG.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { degrees, largest, leanTest, pushTest, type Balance } from '../src/cli/bench/recovery.ts';
-import { plotSheet, type Line } from './svgPlot.ts';
+import { plotSheet, type Line } from '../src/charts/svgPlot.ts';
 
 const SPEEDS = [0.5, 0.75, 1, 1.5, 2, 3, 4, 5];
 const BOTH = ['tau_fc', 'tau_bc'];

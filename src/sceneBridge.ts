@@ -1,5 +1,6 @@
 import { effect, signal, type Signal } from '@preact/signals';
 import { bodyPoint, canPush, firmness, pull } from './app/hand.ts';
+import { ghostsAt } from './app/ghosts.ts';
 import type { Stage } from './app/stage.ts';
 import type { App, Motion } from './app/types.ts';
 import { boardBodies, boardShape, boardStage } from './core/models/board.ts';
@@ -47,6 +48,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: state.showForces.value ? sampler.forces(time) : [] });
     drawPull(app, view, sampler.poses);
   });
+  effect(() => view.setGhosts(dressed.value.system === state.motion.value?.system.meta.id ? ghostsAt(state, stage, state.time.value) : []));
   effect(() => {
     void state.grab.value;
     const sampler = stage.sampler.peek();

@@ -10,6 +10,7 @@ import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
 import { pushComments } from './pushing.ts';
+import { Kept } from './kept.ts';
 import { LocusClient } from './locusClient.ts';
 import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
@@ -18,6 +19,7 @@ import { runPlaybackClock, speeds } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
 import { Runs } from './runs.ts';
 import { samples } from './samples.ts';
+import type { Sweep } from './sweep.ts';
 import type { App, AppActions, AppState, CaseInfo } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
@@ -38,7 +40,7 @@ export interface Preferences {
 }
 
 /** The application: state as signals, and the only code that changes it. */
-export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison): App {
+export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison, sweep: Sweep): App {
   const state = initialState(preferences);
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
@@ -65,6 +67,13 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       batch(() => {
         state.origin.value = found;
         state.draft.value = found.scenario;
+      });
+      runs.run();
+    },
+    loadScenario(scenario, title) {
+      batch(() => {
+        state.origin.value = { id: '', title, summary: '', scenario };
+        state.draft.value = scenario;
       });
       runs.run();
     },
@@ -110,6 +119,8 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
     comparison,
+    kept: new Kept(state, messages),
+    sweep,
     control: new ControlClient(() => workers.control(), systemMetas),
     locus: new LocusClient(() => workers.control(), systemMetas),
   };
@@ -137,6 +148,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     draftErrors: computed(() => collectScenarioErrors(draft.value, systemMetas)),
     motion: signal(null),
     rowsVersion: signal(0),
+    kept: signal([]),
     run: signal(null),
     statistics: signal(null),
     time: signal(0),

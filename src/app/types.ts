@@ -1,11 +1,13 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './comparison.ts';
+import type { Kept, KeptRun } from './kept.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
 import type { Case } from '../core/cases/case.ts';
 import type { Look } from './look.ts';
 import type { Aside, ModeRequest } from './modes.ts';
+import type { Sweep } from './sweep.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
@@ -120,6 +122,8 @@ export interface AppState {
   rowsVersion: Signal<number>;
   run: Signal<RunState | null>;
   statistics: Signal<RunStatistics | null>;
+  /** Runs and files that stay, beside the motion. */
+  kept: Signal<readonly KeptRun[]>;
   // --- playback
   time: Signal<number>;
   playing: Signal<boolean>;
@@ -160,6 +164,8 @@ export interface AppActions {
   /** Back to the case the draft came from. */
   reset(): void;
   loadCase(id: string): void;
+  /** Puts a scenario into the panel, under a title, and runs it. */
+  loadScenario(scenario: ScenarioFile, title: string): void;
   /** To another system: back to the draft that was left there, else to its first case. */
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
@@ -220,4 +226,6 @@ export interface App {
   control: ControlClient;
   locus: LocusClient;
   comparison: Comparison;
+  kept: Kept;
+  sweep: Sweep;
 }

@@ -101,6 +101,7 @@ export const text = {
     noCritical: 'No real part crosses zero in this range.', criticalColumns: ['value', 'on the axis', 'growing modes', ''], divergence: 'real', oscillation: (frequency: string) => `oscillation, ${frequency} Hz`,
     stableAbove: 'nothing grows above', stableBelow: 'nothing grows below', skipped: (n: number, value: string, reason: string) => `${n} values are left out, the first at ${value}: ${reason}`, locusCsv: 'Locus as CSV',
   },
+  compare: { open: 'Compare', keep: 'Keep this run', kept: 'kept' },
   message: { label: 'Messages', dismiss: 'Dismiss' },
   later: { loading: 'Loading', failed: 'This part could not be loaded; check the connection and open it again.' },
   close: 'Close',
@@ -108,7 +109,7 @@ export const text = {
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
-    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'],
+    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
     ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'],
     ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],

@@ -12,4 +12,5 @@ export const tools: readonly Tool[] = [
   { id: 'equations', title: equationWords.open, icon: 'equations', size: 'wide', Body: later(async () => (await import('./equations/equationsTool.tsx')).EquationsTool) },
   { id: 'analysis', title: text.analysis.open, icon: 'analysis', size: 'wide', Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool) },
   { id: 'methods', title: text.methods.open, icon: 'methods', size: 'widest', keep: true, Body: later(async () => (await import('./methodsTool.tsx')).MethodsTool) },
+  { id: 'compare', title: text.compare.open, icon: 'compare', size: 'wide', keep: true, Body: later(async () => (await import('./compare/compareTool.tsx')).CompareTool) },
 ];

@@ -54,6 +54,7 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     j: () => slowerOrFaster(app, -1),
     k: actions.pause,
     l: () => slowerOrFaster(app, 1),
+    b: () => void app.kept.keep(),
     f: () => { state.follow.value = !state.follow.peek(); },
     p: () => { state.look.inset.value = !state.look.inset.peek(); },
     n: () => { state.look.names.value = !state.look.names.peek(); },

@@ -76,7 +76,7 @@ function FileFacts() {
 }
 
 function RunStanding() {
-  const { state, actions } = useUi().app;
+  const { state, actions, kept } = useUi().app;
   const reading = state.reading.value;
   if (reading) {
     return (
@@ -99,7 +99,12 @@ function RunStanding() {
   }
   if (run?.kind === 'ended') {
     const failed = !EXPECTED.has(run.reason);
-    return <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>;
+    return (
+      <>
+        <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>
+        {kept.ofStage() ? <span>{text.compare.kept}</span> : <button type="button" class="link" data-testid="status-keep" onClick={() => kept.keep()}>{text.compare.keep}</button>}
+      </>
+    );
   }
   return <span class="standing" data-testid="run-state">{state.motion.value ? '' : text.status.idle}</span>;
 }

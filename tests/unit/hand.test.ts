@@ -1,6 +1,7 @@
 // A hand on the run that is watched: the page's store and the run's worker, on one thread; the display's clock is turned by hand.
 import { beforeAll, expect, test, vi } from 'vitest';
 import type { Comparison } from '../../src/app/comparison.ts';
+import type { Sweep } from '../../src/app/sweep.ts';
 import { pushComments } from '../../src/app/pushing.ts';
 import { createApp } from '../../src/app/store.ts';
 import type { App } from '../../src/app/types.ts';
@@ -34,7 +35,7 @@ const push: Push = { body: 'rod', point: [0, 0, 0], target: [2, 0.3, 0.15], stif
 
 function opened(): App {
   const unused = (): Worker => ({ addEventListener: () => undefined, postMessage: () => undefined }) as unknown as Worker;
-  return createApp({ run: nearWorker, csv: unused, control: unused }, { dark: false, reducedMotion: true, roomy: false }, {} as Comparison);
+  return createApp({ run: nearWorker, csv: unused, control: unused }, { dark: false, reducedMotion: true, roomy: false }, {} as Comparison, {} as Sweep);
 }
 
 const until = (what: () => boolean): Promise<void> => vi.waitUntil(what, { timeout: 60_000, interval: 2 }).then(() => undefined);

@@ -3,6 +3,7 @@ import { render } from 'preact';
 import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
 import { stageOf } from './app/stage.ts';
+import { prepareVisit } from './app/visit.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
 import { tools } from './tools/tools.ts';
@@ -22,6 +23,7 @@ const app = createApp(
 );
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
+const visit = prepareVisit(app, tools.map(({ id }) => id));
 
 render(
   <Shell
@@ -30,6 +32,7 @@ render(
     formulations={formulations}
     origin={app.state.origin}
     tools={tools}
+    onForget={() => void visit.keeper.forget()}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}
@@ -37,4 +40,4 @@ render(
   document.getElementById('app')!,
 );
 
-app.actions.open();
+void visit.begin();

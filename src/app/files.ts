@@ -21,7 +21,7 @@ interface Context {
 }
 
 /** Larger files are refused by name and size: text of this length is the most a browser string comfortably holds. */
-const LARGEST_FILE = 400e6;
+export const LARGEST_FILE = 400e6;
 
 /** Opens dropped and chosen files; whatever is wrong with one leaves what is on the stage untouched. */
 export class FileOpener {
@@ -63,11 +63,19 @@ export class FileOpener {
       return;
     }
     try {
-      const text = await file.text();
-      if (/\.json$/i.test(file.name) || (/^\s*\{/.test(text.slice(0, 200)) && !/\.(csv|txt|tsv)$/i.test(file.name))) this.readScenario(file.name, text);
-      else await this.readMotion(file.name, text);
+      await this.openText(file.name, await file.text());
     } catch (error) {
       this.fail(file.name, [messageOf(error)]);
+    }
+  }
+
+  /** @param timeStep of a file without a header, if it is known (s) */
+  async openText(name: string, text: string, timeStep?: number): Promise<void> {
+    try {
+      if (/\.json$/i.test(name) || (/^\s*\{/.test(text.slice(0, 200)) && !/\.(csv|txt|tsv)$/i.test(name))) this.readScenario(name, text);
+      else await this.readMotion(name, text, timeStep);
+    } catch (error) {
+      this.fail(name, [messageOf(error)]);
     }
   }
 
@@ -95,6 +103,7 @@ export class FileOpener {
       return;
     }
     this.showMotion(name, result, reading);
+    this.context.state.opened.value = { name, text, ...(timeStep === undefined ? {} : { timeStep }) };
   }
 
   private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>, { scenario, judgement }: FileReading): void {

@@ -76,6 +76,14 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     },
     openFiles: (list) => void files.open(list),
     openSample: (id) => void files.openSample(id, samples),
+    openText: (name, text, timeStep) => files.openText(name, text, timeStep),
+    openScenario(origin, draft, autoplay) {
+      batch(() => {
+        state.origin.value = origin;
+        state.draft.value = draft;
+      });
+      runs.run(autoplay);
+    },
     answerTimeStep: (step) => files.answerTimeStep(step),
     exportCsv: () => void exportCsv(state, csv, messages),
     saveScenario: () => download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
@@ -86,7 +94,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
     compare: (contenders, scenario) => comparison.start(scenario ?? state.draft.peek(), contenders, systemMetas),
-    report: (kind, title, details) => messages.add(kind, title, details),
+    report: (kind, title, details, action) => messages.add(kind, title, details, action),
   };
   return {
     state,
@@ -139,6 +147,8 @@ function initialState({ dark, roomy }: Preferences): AppState {
     messages: signal([]),
     pendingFile: signal(null),
     meshes: signal(new Map()),
+    opened: signal(null),
+    loading: signal(null),
   };
 }
 

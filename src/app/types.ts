@@ -68,6 +68,13 @@ export interface Message {
   title: string;
   /** What happened, where, what to do. */
   details: readonly string[];
+  /** What the person may do about it with one press. */
+  action?: MessageAction;
+}
+
+export interface MessageAction {
+  label: string;
+  run(): void;
 }
 
 export interface PendingFile {
@@ -113,6 +120,10 @@ export interface AppState {
   pendingFile: Signal<PendingFile | null>;
   /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
+  /** The file that was just put on the stage, until it has been stored. */
+  opened: Signal<{ name: string; text: string; timeStep?: number } | null>;
+  /** A file on its way from the server: 0 to 1, or null where its length is not known. */
+  loading: Signal<{ name: string; share: number | null } | null>;
 }
 
 export interface AppActions {
@@ -129,6 +140,10 @@ export interface AppActions {
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
+  /** Text of a CSV or a scenario; done when it is on the stage or refused with a message. */
+  openText(name: string, text: string, timeStep?: number): Promise<void>;
+  /** Puts a checked draft into the panel and runs it. */
+  openScenario(origin: CaseInfo, draft: ScenarioFile, autoplay?: boolean): void;
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
   answerTimeStep(step: number | null): void;
   exportCsv(): void;
@@ -144,7 +159,7 @@ export interface AppActions {
   /** Of the scenario in the panel, unless another is given. */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
   /** Tells the person something that happened outside the store. */
-  report(kind: Message['kind'], title: string, details: readonly string[]): void;
+  report(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void;
 }
 
 export interface CaseInfo {

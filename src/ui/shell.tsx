@@ -33,11 +33,13 @@ export interface ShellProps {
   /** The case the draft came from; without it, the last case whose scenario the draft was. */
   origin?: ReadonlySignal<CaseInfo | null>;
   tools: readonly Tool[];
+  /** Takes away what this browser stores for the page. */
+  onForget?: () => void;
 }
 
 export const PHONE = '(max-width: 760px)';
 
-export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools }: ShellProps) {
+export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools, onForget }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);
   const keysOpen = useSignal(false);
   const phone = useMedia(PHONE);
@@ -59,7 +61,7 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       </div>
       <Messages />
       <StepDialog />
-      <KeysDialog open={keysOpen} />
+      <KeysDialog open={keysOpen} onForget={onForget} />
       <DropOverlay />
       <Announcer />
     </UiContext.Provider>

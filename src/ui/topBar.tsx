@@ -4,6 +4,7 @@ import { replaceDraft, useUi } from './context.ts';
 import { Icon } from './controls.tsx';
 import { sameContent } from './draft.ts';
 import { Menu } from './menu.tsx';
+import { ShareButton } from './share.tsx';
 import { text } from '../text/page.ts';
 
 export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
@@ -28,6 +29,7 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
       ]}>
         <Icon name="export" /><span class="word">{text.top.exports}</span>
       </Menu>
+      <ShareButton />
       <button type="button" class="quiet square" data-testid="theme" aria-label={text.top.theme(theme)} title={text.top.theme(theme)} onClick={() => { state.theme.value = theme === 'dark' ? 'light' : 'dark'; }}>
         <Icon name={theme === 'dark' ? 'light' : 'dark'} />
       </button>

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
+import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
@@ -10,6 +11,7 @@ const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): 
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
+  plugins: [offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, rolldownOptions: { output: { chunkFileNames } } },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },

@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
 import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
@@ -41,3 +41,14 @@ render(
 );
 
 void visit.begin();
+
+// After the first motion has been computed, so that storing the page for use without a connection takes nothing from it.
+if (import.meta.env.PROD && 'serviceWorker' in navigator) {
+  const stop = effect(() => {
+    if (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file') return;
+    setTimeout(() => {
+      stop();
+      void import('./app/offline.ts').then(({ workOffline }) => workOffline(app));
+    }, 1000);
+  });
+}

@@ -41,7 +41,7 @@ export const browserShelf: Shelf = {
   },
   async putLarge(name, value) {
     try {
-      await within<unknown>('readwrite', (store): IDBRequest<unknown> => (value === null ? store.delete(name) : store.put(value, name)));
+      await within('readwrite', (store) => (value === null ? store.delete(name) : store.put(value, name)));
       return null;
     } catch (error) {
       return reasonOf(error);
@@ -59,10 +59,10 @@ export const browserShelf: Shelf = {
 };
 
 /** One transaction, done when it is on disk. */
-async function within<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+async function within(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest): Promise<unknown> {
   const database = await open();
   try {
-    return await new Promise<T>((resolve, reject) => {
+    return await new Promise<unknown>((resolve, reject) => {
       const transaction = database.transaction(STORE, mode);
       const request = act(transaction.objectStore(STORE));
       transaction.oncomplete = () => resolve(request.result);

@@ -44,11 +44,10 @@ void visit.begin();
 
 // After the first motion has been computed, so that storing the page for use without a connection takes nothing from it.
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
-  const stop = effect(() => {
-    if (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file') return;
-    setTimeout(() => {
-      stop();
-      void import('./app/offline.ts').then(({ workOffline }) => workOffline(app));
-    }, 1000);
+  let asked = false;
+  effect(() => {
+    if (asked || (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file')) return;
+    asked = true;
+    setTimeout(() => void import('./app/offline.ts').then(({ workOffline }) => workOffline(app)), 1000);
   });
 }

@@ -14,7 +14,7 @@ type Metas = Readonly<Record<string, SystemMeta>>;
 const VIEWS: readonly string[] = ['orbit', 'front', 'side', 'top', 'caster'] satisfies readonly ViewName[];
 
 /**
- * The text after `#` for what is in the panel; the playback time with it when playing stands still on the way.
+ * The text after `#` for what is in the panel; the playback time with it when it stands still on the way.
  * @throws LinkError when the draft can't run or does not fit into a link
  */
 export function linkOf(app: App): string {
@@ -23,14 +23,14 @@ export function linkOf(app: App): string {
   const { plots } = state as PlotState;
   const origin = state.origin.peek();
   const [tool, time] = [state.tool.peek(), state.time.peek()];
-  const view = state.view.peek();
+  const [view, motion] = [state.view.peek(), state.motion.peek()];
   const content: LinkContent = {
     caseId: origin.id || null,
     title: origin.title,
     scenario: state.draft.peek(),
     ...(tool === null ? {} : { tool }),
     ...(view === 'orbit' ? {} : { view }),
-    ...(!state.playing.peek() && time > 0 && state.motion.peek()?.source === 'run' ? { time: Math.round(time * 1e6) / 1e6 } : {}),
+    ...(!state.playing.peek() && time > 0 && motion?.source === 'run' && time < motion.trajectory.end ? { time: Math.round(time * 1e6) / 1e6 } : {}),
     ...(plots?.peek() === undefined ? {} : { plots: plots.peek() }),
   };
   return encodeLink(content, app);

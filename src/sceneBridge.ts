@@ -39,6 +39,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     // A pause at the newest row of a growing run must redraw when rows come.
     void state.rowsVersion.value;
     if (!sampler.sample(time)) return;
+    if (sampler.behind) requestAnimationFrame(() => void state.rowsVersion.value++);
     view.setTrails(sampler.tracks());
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: state.showForces.value ? sampler.forces(time) : [] });
   });

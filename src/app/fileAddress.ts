@@ -1,7 +1,9 @@
 /** `?file=`: a CSV or scenario beside the page, fetched with progress. Loaded when an address asks for one. */
 import { fileText as text } from '../text/keep.ts';
-import { LARGEST_FILE } from './files.ts';
 import type { App } from './types.ts';
+
+/** Bytes; all of it passes through memory before it is read, unlike a file from the disk. */
+const LARGEST_FETCHED = 400e6;
 
 /**
  * The address that a `?file=` stands for.
@@ -31,7 +33,7 @@ export async function openFileAddress(app: App, file: string): Promise<void> {
   try {
     const address = fileAddress(file, location.href);
     const name = nameOf(address);
-    await actions.openText(name, await fetched(address, (share) => void (state.loading.value = { name, share })));
+    await actions.openFile(name, await fetched(address, (share) => void (state.loading.value = { name, share })));
   } catch (error) {
     actions.report('error', text.refused, [(error as Error).message]);
   } finally {
@@ -48,7 +50,7 @@ function nameOf({ pathname }: URL): string {
   }
 }
 
-async function fetched(address: URL, progress: (share: number | null) => void): Promise<string> {
+async function fetched(address: URL, progress: (share: number | null) => void): Promise<Blob> {
   progress(null);
   // A redirect could lead to another origin, and a stranger's address gets no one's cookies.
   const response = await fetch(address, { redirect: 'error', credentials: 'omit' }).catch(() => {
@@ -57,18 +59,18 @@ async function fetched(address: URL, progress: (share: number | null) => void): 
   if (!response.ok || !response.body) throw new Error(text.answered(response.status));
   if (response.headers.get('content-type')?.includes('html')) throw new Error(text.page);
   const length = Number(response.headers.get('content-length') ?? 0);
-  if (length > LARGEST_FILE) throw new Error(text.large(LARGEST_FILE / 1e6));
+  if (length > LARGEST_FETCHED) throw new Error(text.large(LARGEST_FETCHED / 1e6));
   const reader = response.body.getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let got = 0;
   for (let chunk = await reader.read(); !chunk.done; chunk = await reader.read()) {
     parts.push(chunk.value);
     got += chunk.value.length;
-    if (got > LARGEST_FILE) {
+    if (got > LARGEST_FETCHED) {
       await reader.cancel();
-      throw new Error(text.large(LARGEST_FILE / 1e6));
+      throw new Error(text.large(LARGEST_FETCHED / 1e6));
     }
     progress(length > 0 ? Math.min(1, got / length) : null);
   }
-  return new Blob(parts).text();
+  return new Blob(parts);
 }

@@ -20,13 +20,15 @@ interface Context {
   runDraft(): void;
 }
 
-/** Larger files are refused by name and size: text of this length is the most a browser string comfortably holds. */
-export const LARGEST_FILE = 400e6;
+/** Larger files are refused by name and size; what a table holds is limited by the reader (`MOST_NUMBERS`). */
+const LARGEST_TABLE = 2e9;
+const LARGEST_SCENARIO = 5e6;
 
 /** Opens dropped and chosen files; whatever is wrong with one leaves what is on the stage untouched. */
 export class FileOpener {
   private readonly context: Context;
-  private waiting: { name: string; text: string } | null = null;
+  private waiting: { name: string; file: Blob } | null = null;
+  private reading: AbortController | null = null;
 
   constructor(context: Context) {
     this.context = context;
@@ -35,7 +37,7 @@ export class FileOpener {
   async open(files: readonly File[]): Promise<void> {
     const meshes = files.filter((f) => /\.(mdl|mat)$/i.test(f.name));
     if (meshes.length > 0) await this.openMeshes(meshes);
-    for (const file of files.filter((f) => !meshes.includes(f))) await this.openOne(file);
+    for (const file of files.filter((f) => !meshes.includes(f))) await this.openFile(file.name, file);
   }
 
   async openSample(id: string, samples: readonly SampleInfo[]): Promise<void> {
@@ -44,7 +46,7 @@ export class FileOpener {
     try {
       const response = await fetch(sample.url);
       if (!response.ok) throw new Error(`the server answered ${response.status}`);
-      await this.readMotion(sample.title, await response.text());
+      await this.readMotion(sample.title, await response.blob());
     } catch (error) {
       this.fail(sample.title, [messageOf(error)]);
     }
@@ -54,26 +56,26 @@ export class FileOpener {
     const { waiting, context } = this;
     this.waiting = null;
     context.state.pendingFile.value = null;
-    if (waiting && step !== null) void this.readMotion(waiting.name, waiting.text, step);
+    if (waiting && step !== null) void this.readMotion(waiting.name, waiting.file, step).catch((error: unknown) => this.fail(waiting.name, [messageOf(error)]));
   }
 
-  private async openOne(file: File): Promise<void> {
-    if (file.size > LARGEST_FILE) {
-      this.fail(file.name, [`${(file.size / 1e6).toFixed(0)} MB is more than the ${LARGEST_FILE / 1e6} MB this page reads; export fewer rows or columns`]);
-      return;
-    }
-    try {
-      await this.openText(file.name, await file.text());
-    } catch (error) {
-      this.fail(file.name, [messageOf(error)]);
-    }
+  /** Gives up the file being read; what is on the stage stays. */
+  cancel(): void {
+    this.reading?.abort();
   }
 
-  /** @param timeStep of a file without a header, if it is known (s) */
-  async openText(name: string, text: string, timeStep?: number): Promise<void> {
+  /**
+   * A CSV or a scenario; done when it is on the stage or refused with a message.
+   * @param timeStep of a file without a header, if it is known (s)
+   */
+  async openFile(name: string, file: Blob, timeStep?: number): Promise<void> {
     try {
-      if (/\.json$/i.test(name) || (/^\s*\{/.test(text.slice(0, 200)) && !/\.(csv|txt|tsv)$/i.test(name))) this.readScenario(name, text);
-      else await this.readMotion(name, text, timeStep);
+      const start = await file.slice(0, 200).text();
+      const isScenario = /\.json$/i.test(name) || (/^\s*\{/.test(start) && !/\.(csv|txt|tsv)$/i.test(name));
+      const most = isScenario ? LARGEST_SCENARIO : LARGEST_TABLE;
+      if (file.size > most) throw new Error(`${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`);
+      if (isScenario) this.readScenario(name, await file.text());
+      else await this.readMotion(name, file, timeStep);
     } catch (error) {
       this.fail(name, [messageOf(error)]);
     }
@@ -90,12 +92,24 @@ export class FileOpener {
     this.context.runDraft();
   }
 
-  private async readMotion(name: string, text: string, timeStep?: number): Promise<void> {
-    const reading = await this.context.csv.read(text, timeStep);
+  private async readMotion(name: string, file: Blob, timeStep?: number): Promise<void> {
+    const { state, csv, messages } = this.context;
+    this.reading?.abort();
+    const { signal } = (this.reading = new AbortController());
+    const show = (share: number, rows: number): void => {
+      if (!signal.aborted) state.reading.value = { name, share, rows };
+    };
+    const reading = await csv.read(file, { timeStep, signal, onProgress: show }).finally(() => {
+      if (this.reading?.signal === signal) state.reading.value = null;
+    });
+    if (!reading || signal.aborted) {
+      messages.add('info', `${name} was not read to its end`, ['What was on the stage is still there.']);
+      return;
+    }
     const { result } = reading;
     if (result.kind === 'needs-time-step') {
-      this.waiting = { name, text };
-      this.context.state.pendingFile.value = { name, offeredStep: result.offeredStep };
+      this.waiting = { name, file };
+      state.pendingFile.value = { name, offeredStep: result.offeredStep };
       return;
     }
     if (result.kind === 'unusable') {
@@ -103,14 +117,13 @@ export class FileOpener {
       return;
     }
     this.showMotion(name, result, reading);
-    this.context.state.opened.value = { name, text, ...(timeStep === undefined ? {} : { timeStep }) };
+    this.context.state.opened.value = { name, file, ...(timeStep === undefined ? {} : { timeStep }) };
   }
 
   private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>, { scenario, judgement }: FileReading): void {
     const { state, messages } = this.context;
     const system = systemViews[result.systemId]!;
-    const trajectory = new Trajectory(result.columns, Math.max(1, result.rows));
-    trajectory.append(result.data, result.rows);
+    const trajectory = Trajectory.of(result.columns, result.data);
     const shown = state.motion.peek();
     const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
     const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));

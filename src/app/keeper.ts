@@ -9,14 +9,14 @@ import type { App, AppState } from './types.ts';
 
 /** Writing waits for this long (ms), so that dragging a number writes once. */
 const CALM = 400;
-/** Characters of a file that is kept; a longer one is remembered by its name. */
+/** Bytes of a file that is kept; a longer one is remembered by its name. */
 export const LARGEST_KEPT_FILE = 40e6;
 const LARGEST_KEPT_MESHES = 8e6;
 const WORK = 'work';
 
 export interface KeptFile {
   name: string;
-  text: Blob;
+  file: Blob;
   timeStep?: number;
 }
 
@@ -105,11 +105,11 @@ export class Keeper {
   /** Puts the kept file on the stage. False when it is not there any more. */
   async reopenFile(name: string): Promise<boolean> {
     const kept = (await this.shelf.large('file')) as Partial<KeptFile> | undefined;
-    if (kept?.name !== name || !(kept.text instanceof Blob)) {
+    if (kept?.name !== name || !(kept.file instanceof Blob)) {
       this.app.actions.report('info', text.fileGone(name), [text.fileGoneHint(LARGEST_KEPT_FILE / 1e6)]);
       return false;
     }
-    await this.app.actions.openText(name, await kept.text.text(), typeof kept.timeStep === 'number' ? kept.timeStep : undefined);
+    await this.app.actions.openFile(name, kept.file, typeof kept.timeStep === 'number' ? kept.timeStep : undefined);
     const motion = this.app.state.motion.peek();
     return motion?.source === 'file' && motion.title === name;
   }
@@ -184,8 +184,8 @@ export class Keeper {
   private keepFile(opened: AppState['opened']['value']): void {
     if (!opened) return;
     this.app.state.opened.value = null;
-    const { name, text: content, timeStep } = opened;
-    const kept: KeptFile | null = content.length > LARGEST_KEPT_FILE ? null : { name, text: new Blob([content]), ...(timeStep === undefined ? {} : { timeStep }) };
+    const { name, file, timeStep } = opened;
+    const kept: KeptFile | null = file.size > LARGEST_KEPT_FILE ? null : { name, file, ...(timeStep === undefined ? {} : { timeStep }) };
     if (!kept) this.app.actions.report('info', text.fileLarge(name), [text.fileLargeHint(LARGEST_KEPT_FILE / 1e6)]);
     void this.shelf.putLarge('file', kept).then((reason) => this.complain(reason));
   }

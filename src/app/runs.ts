@@ -104,7 +104,7 @@ export class Runs {
           title,
           system: systemViews[scenario.system]!,
           parameters: scenario.parameters,
-          trajectory: onward ? firstRows(onward, columns) : new Trajectory(columns),
+          trajectory: onward ? firstRows(onward, columns) : new Trajectory(columns, Math.ceil(scenario.duration / scenario.outputStep) + 2),
           constraints: scenario.constraints,
           scenario,
           written: draft,
@@ -184,7 +184,7 @@ function continuationOf({ before: { system, trajectory }, row, time }: Onward, s
 /** The rows up to and with the one to go on from, in the new run's columns; what the old run did not have is not a number. */
 function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[]): Trajectory {
   const rows = row + 1;
-  const kept = new Trajectory(columns, Math.max(1024, 2 * rows));
+  const kept = new Trajectory(columns, 2 * rows);
   kept.append(columns.map((name) => trajectory.column(name)?.subarray(0, rows) ?? new Float64Array(rows).fill(NaN)), rows);
   return kept;
 }

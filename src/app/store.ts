@@ -75,8 +75,9 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       if (state.draftErrors.peek().size === 0) runs.run();
     },
     openFiles: (list) => void files.open(list),
+    cancelReading: () => files.cancel(),
     openSample: (id) => void files.openSample(id, samples),
-    openText: (name, text, timeStep) => files.openText(name, text, timeStep),
+    openFile: (name, file, timeStep) => files.openFile(name, file, timeStep),
     openScenario(origin, draft, autoplay) {
       batch(() => {
         state.origin.value = origin;
@@ -146,6 +147,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     tool: signal(roomy ? 'now' : null),
     messages: signal([]),
     pendingFile: signal(null),
+    reading: signal(null),
     meshes: signal(new Map()),
     opened: signal(null),
     loading: signal(null),

@@ -118,10 +118,12 @@ export interface AppState {
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;
+  /** A large file on its way in. */
+  reading: Signal<{ name: string; share: number; rows: number } | null>;
   /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
   /** The file that was just put on the stage, until it has been stored. */
-  opened: Signal<{ name: string; text: string; timeStep?: number } | null>;
+  opened: Signal<{ name: string; file: Blob; timeStep?: number } | null>;
   /** A file on its way from the server: 0 to 1, or null where its length is not known. */
   loading: Signal<{ name: string; share: number | null } | null>;
 }
@@ -140,10 +142,12 @@ export interface AppActions {
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
-  /** Text of a CSV or a scenario; done when it is on the stage or refused with a message. */
-  openText(name: string, text: string, timeStep?: number): Promise<void>;
+  /** A CSV or a scenario; done when it is on the stage or refused with a message. */
+  openFile(name: string, file: Blob, timeStep?: number): Promise<void>;
   /** Puts a checked draft into the panel and runs it. */
   openScenario(origin: CaseInfo, draft: ScenarioFile, autoplay?: boolean): void;
+  /** Gives up the file being read. */
+  cancelReading(): void;
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
   answerTimeStep(step: number | null): void;
   exportCsv(): void;

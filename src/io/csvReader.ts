@@ -1,6 +1,6 @@
 import type { SystemMeta } from '../core/systems/types.ts';
 import { namesColumns, readHeader, type ColumnUse } from './csvHeader.ts';
-import { RowStore, type CsvIssue } from './csvRows.ts';
+import { MOST_NUMBERS, RowStore, type CsvIssue } from './csvRows.ts';
 import { decimalsOf, eachRecord, LineSource, LONGEST_LINE, separatorOf, withoutComments } from './csvText.ts';
 import { readNumber } from './numbers.ts';
 
@@ -36,7 +36,7 @@ const OFFERED_STEP = 1 / 60;
 /** Coordinates of the report's own files, which have no header. */
 const HEADERLESS_SYSTEM = 'ripstik';
 /** Text looked at before the separator is decided. */
-const ENOUGH_TO_DECIDE = 65536;
+export const ENOUGH_TO_DECIDE = 65536;
 const LONGEST_SCENARIO = 200_000;
 
 /**
@@ -68,11 +68,46 @@ export class CsvReader {
   push(piece: string): void {
     if (this.ended || piece === '') return;
     const text = this.started || piece.charCodeAt(0) !== 0xfeff ? piece : piece.slice(1);
-    if (!this.started && text.slice(0, 4096).includes('\0')) return this.refuse(0, '', 'this is no text file (or not UTF-8 text); save it as CSV, UTF-8');
     this.started = true;
     this.undecided += this.source.push(text);
     if (this.source.waiting > LONGEST_LINE) return this.refuse(this.line, '', `a line is longer than ${LONGEST_LINE} characters; this is no table of numbers`);
     if (this.separator !== '' || this.undecided.length >= ENOUGH_TO_DECIDE) this.block();
+  }
+
+  get rows(): number {
+    return this.store?.rows ?? 0;
+  }
+
+  /** The file can't be read further: `finish` says why. */
+  get over(): boolean {
+    return this.ended !== null;
+  }
+
+  /** What the columns mean is known, and no text waits. */
+  get decided(): boolean {
+    return this.store !== null && this.ended === null;
+  }
+
+  /** How a line of plain numbers looks from here on, or null where decimals are written with commas. */
+  plan(): { separator: number; width: number } | null {
+    if (!this.store || this.decimals === 'comma') return null;
+    return { separator: this.separator.charCodeAt(0), width: this.store.width };
+  }
+
+  /** The next line as numbers, one per column of the file; `pointed` where one of those so far had a decimal point. */
+  numbers(values: Float64Array, pointed: boolean): void {
+    if (pointed) this.decimals ??= 'point';
+    this.store!.numbers(values, this.line++);
+    if (this.store!.full) this.tooMany();
+  }
+
+  /** So many rows are to be expected in all. */
+  expect(rows: number): void {
+    this.store?.expect(rows);
+  }
+
+  private tooMany(): void {
+    this.refuse(this.line, '', `more than ${MOST_NUMBERS / 1e6} million numbers are more than this page holds (${this.store!.rows} rows so far); export fewer rows or columns`);
   }
 
   finish(): CsvResult {
@@ -108,6 +143,7 @@ export class CsvReader {
     const text = this.undecided;
     this.undecided = '';
     if (text === '') return;
+    if (this.separator === '' && text.slice(0, 4096).includes('\0')) return this.refuse(0, '', 'this is no text file (or not UTF-8 text); save it as CSV, UTF-8');
     let comments = 0;
     const rows = withoutComments(text, (comment) => {
       comments++;
@@ -130,6 +166,7 @@ export class CsvReader {
     eachRecord(rows, this.separator, this.line, (cells, line) => {
       if (this.ended || (cells.length <= 1 && (cells[0] ?? '').trim() === '')) return;
       if (this.store || this.layout(cells, line)) this.store?.row(cells, line, this.decimals === 'comma');
+      if (this.store?.full) this.tooMany();
     });
   }
 

@@ -9,17 +9,20 @@ export interface CsvIssue {
 }
 
 const MOST_ISSUES = 1000;
+/** Numbers held of one file: a gigabyte of memory. */
+export const MOST_NUMBERS = 128e6;
 
 /** The usable rows of a file as growing columns, and why the others are not used. */
 export class RowStore {
   readonly uses: readonly ColumnUse[];
   rows = 0;
   skipped = 0;
-  private readonly width: number;
+  readonly width: number;
   private readonly step: number | null;
   private readonly issues: CsvIssue[] = [];
   private unnamed = 0;
-  private data: Float64Array[];
+  private readonly data: Float64Array[];
+  private expected = 0;
   private readonly current: Float64Array;
   /** Rows of numbers seen, usable or not: time is counted over all of them. */
   private seen = 0;
@@ -53,12 +56,24 @@ export class RowStore {
     this.accept(line);
   }
 
+  /** A row with a finite number in every column of the file. */
+  numbers(values: Float64Array, line: number): void {
+    const { uses, current, step } = this;
+    for (let c = 0; c < uses.length; c++) {
+      const { index, factor } = uses[c]!;
+      current[c] = index < 0 ? this.seen * step! : values[index]! * factor;
+    }
+    this.seen++;
+    this.accept(line);
+  }
+
   finish(): void {
     this.dropDoubtful();
   }
 
+  /** Views into buffers that may be longer: a copy would take as much memory again. */
   columns(): Float64Array[] {
-    return this.data.map((column) => column.slice(0, this.rows));
+    return this.data.map((column) => column.subarray(0, this.rows));
   }
 
   /** In the order of the file; the last one counts those beyond the first 1,000. */
@@ -142,13 +157,25 @@ export class RowStore {
     this.skip(line, this.uses[0]!.title, `the time ${t} s is not later than ${this.data[0]![this.rows - 1]} s of line ${this.lastLine}`);
   }
 
+  /** There is no room for one more row. */
+  get full(): boolean {
+    return (this.rows + 1) * this.uses.length > MOST_NUMBERS;
+  }
+
+  /** So many rows are to be expected: room for them is made at once. */
+  expect(rows: number): void {
+    this.expected = Math.min(rows, MOST_NUMBERS / this.uses.length);
+  }
+
   private append(row: Float64Array, line: number): void {
     if (this.rows === this.data[0]!.length) {
-      this.data = this.data.map((old) => {
-        const grown = new Float64Array(2 * old.length);
-        grown.set(old);
-        return grown;
-      });
+      const capacity = Math.max(2 * this.rows, Math.ceil(this.expected));
+      // One column after another: never all of them twice.
+      for (let c = 0; c < this.data.length; c++) {
+        const grown = new Float64Array(capacity);
+        grown.set(this.data[c]!);
+        this.data[c] = grown;
+      }
     }
     for (let c = 0; c < row.length; c++) this.data[c]![this.rows] = row[c]!;
     this.rows++;

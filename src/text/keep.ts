@@ -41,6 +41,8 @@ export const fileText = {
   unreachable: 'the server could not be reached, or sends the file from elsewhere',
 } as const;
 
+export const skipText = { label: 'Skip to', scene: 'Skip to the scene', playback: 'Skip to playback' } as const;
+
 export const offlineText = {
   offline: 'offline', offlineTitle: 'No connection. The page goes on working with what is stored.',
   update: 'A new version is ready', updateHint: 'It is taken at your next visit, or now:', reload: 'Reload',

@@ -40,6 +40,7 @@ export const text = {
     follow: 'Follow', trails: 'Trails', forces: 'Forces', switches: 'Show in the scene', scene: 'Three-dimensional view of the motion',
   },
   status: {
+    reading: (name: string) => `Reading ${name}`, readingRows: (name: string, rows: string) => `reading ${name}, ${rows} rows`,
     label: 'Status', steps: 'steps', energy: 'energy', energyTitle: 'Energy now minus energy at the start, relative to largest kinetic energy',
     energyChange: 'energy change', energyChangeTitle: 'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',
     residual: 'residual', residualTitle: 'Largest constraint residual so far', computing: (percent: number) => `computing ${percent} %`,

@@ -12,6 +12,7 @@ import { useKeyboard } from './keyboard.ts';
 import { useMedia } from './media.ts';
 import { Messages } from './messages.tsx';
 import { LeftPanel, Sheet, Tools } from './panels.tsx';
+import { SkipLinks } from './skipLinks.tsx';
 import { StageOverlay } from './stageOverlay.tsx';
 import { StatusLine } from './statusLine.tsx';
 import { text } from '../text/page.ts';
@@ -47,10 +48,11 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
   useKeyboard(app, keysOpen);
   return (
     <UiContext.Provider value={ui}>
+      <SkipLinks />
       <div class="shell">
         <TopBar keysOpen={keysOpen} />
         {phone ? null : <LeftPanel />}
-        <main key="stage" class="stage" aria-label={text.view.scene}>
+        <main key="stage" id="stage" class="stage" tabIndex={-1} aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
         </main>

@@ -79,6 +79,16 @@ function FileFacts() {
 
 function RunStanding() {
   const { state, actions } = useUi().app;
+  const reading = state.reading.value;
+  if (reading) {
+    return (
+      <span class="standing" data-testid="reading">
+        <progress max={1} value={reading.share} aria-label={text.status.reading(reading.name)} />
+        {text.status.readingRows(reading.name, formatCount(reading.rows))}
+        <button type="button" class="link" data-testid="cancel-reading" onClick={() => actions.cancelReading()}>{text.panel.cancel}</button>
+      </span>
+    );
+  }
   const run = state.run.value;
   if (run?.kind === 'computing') {
     return (

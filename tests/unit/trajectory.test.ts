@@ -70,3 +70,44 @@ test('tracks follow a trajectory that grows', () => {
   expect(front!.count).toBe(3000);
   expect(front!.points[3 * 2999]! - front!.points[0]!).toBeCloseTo(2999, 2);
 });
+
+test('a motion that outgrows its room keeps every second row, the newest always, and says so', () => {
+  const trajectory = new Trajectory(['t', 'x'], 4, 64);
+  const random = seeded(3);
+  let sent = 0;
+  while (sent < 5000) {
+    const rows = Math.ceil(90 * random() ** 3);
+    const t = Float64Array.from({ length: rows }, (_, i) => sent + i);
+    trajectory.append([t, t.map((v) => v * v)], rows);
+    sent += rows;
+    expect(trajectory.length).toBeLessThanOrEqual(65);
+    expect(trajectory.end).toBe(sent - 1);
+    const kept = [...trajectory.column('t')!];
+    kept.slice(0, trajectory.settled).forEach((value, k) => expect(value).toBe(k * trajectory.stride));
+    expect(trajectory.settled).toBe(Math.floor((sent - 1) / trajectory.stride) + 1);
+    expect([...trajectory.column('x')!]).toEqual(kept.map((v) => v * v));
+  }
+  expect(trajectory.generation).toBeGreaterThan(4);
+  expect(trajectory.stride).toBe(2 ** trajectory.generation);
+});
+
+test('paths and wheel angles of a long motion come in shares, and are the same in the end', () => {
+  const rows = 9001;
+  const columns = names.map((name) => Float64Array.from({ length: rows }, (_, i) => (name === 't' ? i / 1000 : name === 'X' ? i / 2000 : name === 'theta' ? i / 9000 : 0)));
+  const whole = new MotionSampler(ripstikView, defaults, Trajectory.of(names, columns), null);
+  for (let k = 0; k < 10 && (whole.sample(0) && whole.behind); k++);
+  expect(whole.behind).toBe(false);
+  const grown = new Trajectory(names);
+  const pieces = new MotionSampler(ripstikView, defaults, grown, null);
+  for (let at = 0; at < rows; at += 500) {
+    grown.append(columns.map((c) => c.subarray(at, at + 500)), Math.min(500, rows - at));
+    pieces.sample(9);
+  }
+  for (const time of [0, 4.5, 9]) {
+    whole.sample(time);
+    pieces.sample(time);
+    expect([...whole.wheelAngles]).toEqual([...pieces.wheelAngles]);
+  }
+  expect(whole.tracks()[0]!.count).toBe(rows);
+  expect(whole.tracks()[0]!.points.subarray(0, 3 * rows)).toEqual(pieces.tracks()[0]!.points.subarray(0, 3 * rows));
+});

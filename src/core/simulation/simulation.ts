@@ -5,6 +5,7 @@ import { actuationOf, type Actuation, type Feedback } from '../dynamics/forcing.
 import type { StateMap } from '../dynamics/formulations/contract.ts';
 import { Projection } from '../dynamics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
+import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 import { motionOf } from './motion.ts';
@@ -172,8 +173,8 @@ export class Simulation {
   }
 
   /** Ends the run from outside, keeping everything computed. */
-  stop(reason: string, message: string): void {
-    this.end ??= { reason, message, time: this.stepper.t };
+  stop(reason: string, message: string, time = this.stepper.t): void {
+    this.end ??= { reason, message, time };
   }
 
   private begin(time: number): void {
@@ -210,8 +211,7 @@ export class Simulation {
       this.emitBefore(crossing.time);
       this.lookAt(crossing.time);
       this.emit(crossing.time);
-      this.end = { reason: crossing.event.id, message: crossing.event.message(crossing.time), time: crossing.time };
-      return;
+      return this.stop(crossing.event.id, crossing.event.message(crossing.time), crossing.time);
     }
     this.emitBefore(stepper.t);
     if (stepper.t >= scenario.duration) {
@@ -252,7 +252,7 @@ export class Simulation {
     const { outputStep } = this.scenario;
     // A row closer than this to the end of the run or to an event would only repeat it.
     const last = time - 1e-9 * outputStep;
-    for (let next = this.emitted * outputStep; next < last; next = this.emitted * outputStep) {
+    for (let next = this.emitted * outputStep; next < last && !this.end; next = this.emitted * outputStep) {
       this.lookAt(next);
       this.emit(next);
     }
@@ -296,10 +296,11 @@ export class Simulation {
     return high;
   }
 
-  /** One row: the state in `sampleQ`, `sampleV`, projected if projection is on, and what is derived from it. */
+  /** One row: the state in `sampleQ`, `sampleV`, projected if projection is on, and what is derived from it. Ends the run where that is not finite. */
   private emit(time: number): void {
     const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
     if (this.projecting) this.rowProjection.project(time, q, v);
+    if (!(maxAbs(q) < Infinity && maxAbs(v) < Infinity)) return this.stop('non-finite', failureMessage('non-finite', time), time);
     if (this.rows >= this.chunk[0]!.length) this.grow();
     const row = this.rows++;
     let c = 0;

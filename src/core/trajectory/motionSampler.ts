@@ -18,6 +18,9 @@ export interface PointTrack {
   count: number;
 }
 
+/** Rows followed in one call: a few milliseconds' work, so that a large file never stops the page. */
+const ROWS_AT_ONCE = 4000;
+
 /**
  * A trajectory between its rows: positions interpolated linearly, attitudes on the shorter arc (so that a
  * recorded angle that jumps by a full turn makes no body spin), wheel angles from the distance rolled,
@@ -44,6 +47,8 @@ export class MotionSampler {
   /** Angle rolled at each row, per contact. */
   private rolled: Float64Array[];
   private tracked = 0;
+  private generation = 0;
+  private readonly followed: boolean;
 
   constructor(view: SystemView, parameters: Readonly<Record<string, number>>, trajectory: Trajectory, constraints: string | null) {
     const size = 12 * view.meta.bodies.length;
@@ -57,6 +62,7 @@ export class MotionSampler {
     this.after = new Float64Array(size);
     this.wheelAngles = new Float64Array(view.contacts.length);
     this.radii = Float64Array.from(view.contacts, (c) => parameters[c.radius] ?? 0);
+    this.followed = (view.tracks ?? view.contacts).length + view.contacts.length > 0;
     this.last = new Float64Array(2 * view.contacts.length);
     this.points = view.tracks ?? view.contacts;
     this.rims = Float64Array.from(this.points, (point) => (point.rim === undefined ? 0 : (parameters[point.rim] ?? 0)));
@@ -77,8 +83,15 @@ export class MotionSampler {
     this.posesAt(row, this.before);
     this.posesAt(next, this.after);
     this.blend(share);
-    this.rolled.forEach((angles, c) => (this.wheelAngles[c] = angles[row]! + share * (angles[next]! - angles[row]!)));
+    // Beyond the rows that have been followed a wheel keeps the last angle.
+    const [known, ahead] = [Math.min(row, this.tracked - 1), Math.min(next, this.tracked - 1)];
+    this.rolled.forEach((angles, c) => (this.wheelAngles[c] = known < 0 ? 0 : angles[known]! + share * (angles[ahead]! - angles[known]!)));
     return true;
+  }
+
+  /** Rows have come that paths and wheel angles do not know yet: look again in the next frame. */
+  get behind(): boolean {
+    return this.followed && this.tracked < this.trajectory.settled;
   }
 
   /** Paths over all rows so far; the arrays are replaced when they grow. */
@@ -138,11 +151,16 @@ export class MotionSampler {
     }
   }
 
-  /** Extends paths and rolled angles to the rows that have come since. */
+  /** Extends paths and rolled angles to the rows that have come since, a share of them where they are many. */
   private follow(): void {
     const { trajectory, view, points } = this;
-    const rows = trajectory.length;
-    if (rows === this.tracked || points.length + view.contacts.length === 0) return;
+    if (!this.followed) return;
+    if (trajectory.generation !== this.generation) {
+      this.generation = trajectory.generation;
+      this.tracked = 0;
+    }
+    const rows = Math.min(trajectory.settled, this.tracked + ROWS_AT_ONCE);
+    if (rows <= this.tracked) return;
     this.reserve(rows);
     const t = trajectory.column('t')!;
     for (let row = this.tracked; row < rows; row++) {

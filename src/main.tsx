@@ -48,6 +48,6 @@ if (import.meta.env.PROD && 'serviceWorker' in navigator) {
   effect(() => {
     if (asked || (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file')) return;
     asked = true;
-    setTimeout(() => void import('./app/offline.ts').then(({ workOffline }) => workOffline(app)), 1000);
+    setTimeout(() => void import('./app/offline.ts').then(({ workOffline }) => workOffline(app)).catch(() => {}), 1000);
   });
 }

@@ -7,15 +7,16 @@ import { Icon } from './controls.tsx';
 import { Dialog } from './dialogs.tsx';
 
 const load = () => import('../app/links.ts');
+/** What fails here is told when it is pressed. */
+const foresee = () => void load().catch(() => {});
 
 export function ShareButton() {
   const { app } = useUi();
   const shown = useSignal<string | null>(null);
   const share = async () => {
-    const { linkOf } = await load();
     let fragment: string;
     try {
-      fragment = linkOf(app);
+      fragment = (await load()).linkOf(app);
     } catch (error) {
       app.actions.report('warning', text.notShared, [(error as Error).message]);
       return;
@@ -32,7 +33,7 @@ export function ShareButton() {
   return (
     <>
       {/* the code is there before the press, so that the browser still sees the copy as the person's doing */}
-      <button type="button" class="quiet" data-testid="share" aria-label={text.share} title={text.shareTitle} onPointerEnter={() => void load()} onFocus={() => void load()} onClick={() => void share()}>
+      <button type="button" class="quiet" data-testid="share" aria-label={text.share} title={text.shareTitle} onPointerEnter={foresee} onFocus={foresee} onClick={() => void share()}>
         <Icon name="share" /><span class="word">{text.share}</span>
       </button>
       {shown.value !== null && <LinkDialog link={shown.value} onClose={() => { shown.value = null; }} />}

@@ -8,7 +8,7 @@ import { compileExpression } from '../src/core/scenario/expressions.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/registry.ts';
-import { plotSheet, type LinePlotSpec } from './svgPlot.ts';
+import { plotSheet, type LinePlotSpec } from '../src/charts/svgPlot.ts';
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
 /** Points of a curve in closed form. */

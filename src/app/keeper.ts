@@ -20,9 +20,6 @@ export interface KeptFile {
   timeStep?: number;
 }
 
-/** State that other parts may add. */
-type PlotState = AppState & { plots?: Signal<unknown> };
-
 export class Keeper {
   private readonly app: App;
   private readonly shelf: Shelf;
@@ -141,8 +138,8 @@ export class Keeper {
   }
 
   private watched(): readonly Signal<unknown>[] {
-    const { draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots } = this.app.state as PlotState;
-    return [draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, ...(plots ? [plots] : [])];
+    const { draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots } = this.app.state;
+    return [draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots];
   }
 
   private write(): void {
@@ -159,16 +156,14 @@ export class Keeper {
   }
 
   private settings(): Settings {
-    const { theme, tool, view, follow, showTrails, showForces, loop, speed, plots } = this.app.state as PlotState;
-    const plain = Object.entries({ theme, tool, view, follow, showTrails, showForces, loop, speed, ...(plots ? { plots } : {}) });
+    const { theme, tool, view, follow, showTrails, showForces, loop, speed, plots } = this.app.state;
+    const plain = Object.entries({ theme, tool, view, follow, showTrails, showForces, loop, speed, plots });
     return Object.fromEntries(plain.map(([name, signal]) => [name, signal.peek()])) as Settings;
   }
 
-  private putSettings({ plots, ...plain }: Settings): void {
-    const state = this.app.state as PlotState;
+  private putSettings(settings: Settings): void {
     batch(() => {
-      for (const [name, value] of Object.entries(plain)) (state[name as keyof typeof plain] as Signal<unknown>).value = value;
-      if (plots !== undefined && state.plots) state.plots.value = plots;
+      for (const [name, value] of Object.entries(settings)) (this.app.state[name as keyof Settings] as Signal<unknown>).value = value;
     });
   }
 

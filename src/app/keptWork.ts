@@ -2,7 +2,8 @@
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
-import type { AppState, CaseInfo, ViewName } from './types.ts';
+import { plotsFrom } from './plotsShape.ts';
+import type { AppState, CaseInfo, PlotsState, ViewName } from './types.ts';
 
 export const KEPT_VERSION = 1;
 /** Characters; the drafts of all systems have a few thousand. */
@@ -28,7 +29,7 @@ export interface Settings {
   showForces?: boolean;
   loop?: boolean;
   speed?: number;
-  plots?: unknown;
+  plots?: PlotsState;
 }
 
 export interface Kept {
@@ -92,7 +93,8 @@ function scenarioOf(raw: unknown, { systems }: Known): ScenarioFile {
 }
 
 function settingsOf(raw: Record<string, unknown>, { toolIds }: Known): Settings {
-  const { theme, tool, view, speed, plots } = raw;
+  const { theme, tool, view, speed } = raw;
+  const plots = plotsFrom(raw['plots']);
   const switches = (['follow', 'showTrails', 'showForces', 'loop'] as const).filter((name) => typeof raw[name] === 'boolean');
   return {
     ...(theme === 'light' || theme === 'dark' ? { theme } : {}),
@@ -100,7 +102,7 @@ function settingsOf(raw: Record<string, unknown>, { toolIds }: Known): Settings 
     ...(VIEWS.includes(view as ViewName) ? { view: view as ViewName } : {}),
     ...Object.fromEntries(switches.map((name) => [name, raw[name]])),
     ...(typeof speed === 'number' && speed >= 1 / 256 && speed <= 64 ? { speed } : {}),
-    ...(plots === undefined ? {} : { plots }),
+    ...(plots ? { plots } : {}),
   };
 }
 

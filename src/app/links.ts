@@ -1,14 +1,14 @@
 /** Links to what is in the panel, made and opened. Loaded when a link is asked for or opened with. */
-import { effect, type Signal } from '@preact/signals';
+import { effect } from '@preact/signals';
 import { decodeLink, encodeLink, LinkError, type LinkContent, type OpenedLink } from '../core/share/link.ts';
 import { difference } from '../core/share/patch.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { shareText as text } from '../text/keep.ts';
 import type { Keeper } from './keeper.ts';
 import { workOf, type Work } from './keptWork.ts';
-import type { App, AppState, CaseInfo, ViewName } from './types.ts';
+import { isPlain, plotsFrom } from './plotsShape.ts';
+import type { App, CaseInfo, ViewName } from './types.ts';
 
-type PlotState = AppState & { plots?: Signal<unknown> };
 type Metas = Readonly<Record<string, SystemMeta>>;
 
 const VIEWS: readonly string[] = ['orbit', 'front', 'side', 'top', 'caster'] satisfies readonly ViewName[];
@@ -20,7 +20,7 @@ const VIEWS: readonly string[] = ['orbit', 'front', 'side', 'top', 'caster'] sat
 export function linkOf(app: App): string {
   const { state } = app;
   for (const [path, message] of state.draftErrors.peek()) throw new LinkError(path, message);
-  const { plots } = state as PlotState;
+  const plots = state.plots.peek();
   const origin = state.origin.peek();
   const [tool, time] = [state.tool.peek(), state.time.peek()];
   const [view, motion] = [state.view.peek(), state.motion.peek()];
@@ -31,7 +31,7 @@ export function linkOf(app: App): string {
     ...(tool === null ? {} : { tool }),
     ...(view === 'orbit' ? {} : { view }),
     ...(!state.playing.peek() && time > 0 && motion?.source === 'run' && time < motion.trajectory.end ? { time: Math.round(time * 1e6) / 1e6 } : {}),
-    ...(plots?.peek() === undefined ? {} : { plots: plots.peek() }),
+    ...(isPlain(plots) ? {} : { plots }),
   };
   return encodeLink(content, app);
 }
@@ -64,8 +64,8 @@ export const workBefore = (app: App): Work => workOf(app.state);
 function look({ state }: App, { tool, view, plots }: OpenedLink, toolIds: readonly string[]): void {
   if (tool !== undefined && toolIds.includes(tool)) state.tool.value = tool;
   state.view.value = view !== undefined && VIEWS.includes(view) ? (view as ViewName) : 'orbit';
-  const { plots: shown } = state as PlotState;
-  if (plots !== undefined && shown) shown.value = plots;
+  const shown = plotsFrom(plots);
+  if (shown) state.plots.value = shown;
 }
 
 function tell(app: App, keeper: Keeper, { tool, altered }: OpenedLink, origin: CaseInfo, toolIds: readonly string[], before: Work | null): void {

@@ -10,6 +10,9 @@ export interface RunHandlers {
   refused(path: string, message: string): void;
 }
 
+/** How long a cancelled worker may take to answer; it looks at its mailbox every 12 ms. */
+const PATIENCE_MS = 3000;
+
 /** The page's end of the worker: one run at a time; what an older run still sends is dropped. */
 export class RunClient {
   private readonly create: () => Worker;
@@ -28,9 +31,14 @@ export class RunClient {
     this.send({ type: 'start', run: this.run, scenario, from });
   }
 
-  /** Asks the current run to stop; its `ended` follows with reason `cancelled`. */
+  /** Asks the current run to stop; its `ended` follows with reason `cancelled`. A worker that does not answer is ended. */
   cancel(): void {
-    if (this.handlers) this.send({ type: 'cancel', run: this.run });
+    const { run, handlers } = this;
+    if (!handlers) return;
+    this.send({ type: 'cancel', run });
+    setTimeout(() => {
+      if (this.handlers === handlers && this.run === run) this.lose('it did not answer');
+    }, PATIENCE_MS);
   }
 
   /** Forgets the current run: nothing of it is heard any more. */
@@ -56,14 +64,19 @@ export class RunClient {
     const worker = this.create();
     worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => this.receive(data));
     worker.addEventListener('error', (event) => {
-      // A worker that died cannot be asked again; the next run gets a new one, and what came so far stays.
-      worker.terminate();
-      this.worker = null;
-      const handlers = this.handlers;
-      this.handlers = null;
-      handlers?.refused('', `the computation stopped unexpectedly${event.message ? ` (${event.message})` : ''}; rows computed so far are kept, run again to retry`);
+      if (this.worker === worker) this.lose(event.message);
+    });
+    worker.addEventListener('messageerror', () => {
+      if (this.worker === worker) this.lose('a message could not be read');
     });
     return worker;
+  }
+
+  /** A worker that died cannot be asked again; the next run gets a new one, and what came so far stays. */
+  private lose(why: string): void {
+    const { handlers } = this;
+    this.close();
+    handlers?.refused('', `the computation stopped unexpectedly${why ? ` (${why})` : ''}; rows computed so far are kept, run again to retry`);
   }
 
   private receive(message: FromWorker): void {

@@ -144,6 +144,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     showTrails: signal(true),
     showForces: signal(false),
     theme: signal(dark ? 'dark' : 'light'),
+    plots: signal({ own: null, degrees: true, wrapped: false }),
     tool: signal(roomy ? 'now' : null),
     messages: signal([]),
     pendingFile: signal(null),

@@ -83,6 +83,26 @@ export interface PendingFile {
   offeredStep: number;
 }
 
+/** One plot: columns over time or over another column. Plain data, so that it can be kept and shared. */
+export interface PlotPane {
+  title: string;
+  x: string;
+  y: readonly string[];
+  hidden?: readonly string[];
+  equal?: boolean;
+  /** Where the horizontal axis ends, if before the motion. */
+  to?: number;
+  /** A curve in closed form, an expression of t. */
+  exact?: { label: string; expression: string };
+}
+
+export interface PlotsState {
+  /** What the person made for one case or system (`key`); those of the case while there is none. */
+  own: { key: string; panes: readonly PlotPane[] } | null;
+  degrees: boolean;
+  wrapped: boolean;
+}
+
 export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
 
 export interface AppState {
@@ -113,6 +133,7 @@ export interface AppState {
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
   theme: Signal<'light' | 'dark'>;
+  plots: Signal<PlotsState>;
   /** Which tool is open beside the scene, by id; null when none is. */
   tool: Signal<string | null>;
   // --- things to say

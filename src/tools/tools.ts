@@ -1,4 +1,5 @@
 import { text } from '../text/page.ts';
+import { text as plots } from '../text/plots.ts';
 import { later } from '../ui/later.tsx';
 import { NowTool } from '../ui/nowPanel.tsx';
 import type { Tool } from '../ui/tool.ts';
@@ -6,6 +7,7 @@ import type { Tool } from '../ui/tool.ts';
 /** The tools beside the scene, in the order of the rail. Only the first is part of the first view; the others are loaded when opened. */
 export const tools: readonly Tool[] = [
   { id: 'now', title: text.panel.now, icon: 'now', size: 'narrow', Body: NowTool },
+  { id: 'plots', title: plots.title, icon: 'plots', size: 'wide', Body: later(async () => (await import('./plots/plotsTool.tsx')).PlotsTool) },
   { id: 'analysis', title: text.analysis.open, icon: 'analysis', size: 'wide', Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool) },
   { id: 'methods', title: text.methods.open, icon: 'methods', size: 'widest', keep: true, Body: later(async () => (await import('./methodsTool.tsx')).MethodsTool) },
 ];

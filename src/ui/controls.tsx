@@ -64,11 +64,12 @@ const PATHS = {
 } as const;
 const LINES = {
   share: 'M6 9.5l4-4M7 4.5l1.5-1.5a3 3 0 0 1 4.3 4.3L11.3 8.8M9 11.5L7.5 13a3 3 0 0 1-4.3-4.3L4.7 7.2',
+  plots: 'M2 2v12h12M4 11c2-7 3-7 4.5-3s2.5 3 5-4',
   now: 'M2.5 12a6.2 6.2 0 1 1 11 0M8 9.5l2.5-3.5',
   analysis: 'M2 8h12M9 2v12M4.5 4.5l2 2m0-2l-2 2M4.5 9.5l2 2m0-2l-2 2', methods: 'M2 13c4 0 4-9 12-9M2 13c6 0 8-3 12-3M2 2v12h12',
   loop: 'M3 7.5V6.5a2 2 0 0 1 2-2h8M11 2.5l2 2-2 2M13 8.5v1a2 2 0 0 1-2 2H3M5 13.5l-2-2 2-2', open: 'M2 12.5v-9h4l1.5 2H14v7zM2 7.5h12',
   sample: 'M2 11c2 0 2-6 4-6s2 6 4 6 2-6 4-6', export: 'M8 2v8M5 7l3 3 3-3M3 13h10', light: 'M8 5a3 3 0 1 1 0 6 3 3 0 0 1 0-6M8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M3 13l1-1M12 4l1-1',
-  dark: 'M13 9.5A5.5 5.5 0 1 1 6.5 3 4.5 4.5 0 0 0 13 9.5z', down: 'M4 6l4 4 4-4', close: 'M4 4l8 8M12 4l-8 8', left: 'M10 3L5 8l5 5', right: 'M6 3l5 5-5 5',
+  dark: 'M13 9.5A5.5 5.5 0 1 1 6.5 3 4.5 4.5 0 0 0 13 9.5z', down: 'M4 6l4 4 4-4', up: 'M8 13V3M4 7l4-4 4 4', table: 'M2 3h12v10H2zM2 6.5h12M2 10h12M6 3v10', close: 'M4 4l8 8M12 4l-8 8', left: 'M10 3L5 8l5 5', right: 'M6 3l5 5-5 5',
 } as const;
 
 export type IconName = keyof typeof PATHS | keyof typeof LINES;

@@ -98,7 +98,7 @@ function sample(trajectory: Trajectory, name: string, time: number): number | nu
 }
 
 /** The playback time, but not on every frame; the last change always arrives. */
-function useSlowTime(): number {
+export function useSlowTime(): number {
   const { state } = useUi().app;
   const [slow] = useState(() => signal(state.time.peek()));
   useEffect(() => {

@@ -1,6 +1,7 @@
 // What is kept comes back; what is stored by another hand, or asked for from elsewhere, is refused by name.
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { plotsFrom } from '../../src/app/plotsShape.ts';
 import { fileAddress } from '../../src/app/fileAddress.ts';
 import { fromText, toText, type Kept } from '../../src/app/keptWork.ts';
 import { cases } from '../../src/core/cases/cases.ts';
@@ -26,7 +27,7 @@ const kept: Kept = {
     ]),
     file: 'ride.csv',
   },
-  settings: { theme: 'dark', tool: 'plots', view: 'side', follow: false, showTrails: true, showForces: true, loop: true, speed: 0.25, plots: { panes: [] } },
+  settings: { theme: 'dark', tool: 'plots', view: 'side', follow: false, showTrails: true, showForces: true, loop: true, speed: 0.25, plots: { own: { key: 'ripstik/ridden', panes: [{ title: 'Path', x: 'X', y: ['Y'], equal: true }] }, degrees: false, wrapped: true } },
 };
 
 describe('kept work', () => {
@@ -62,6 +63,14 @@ describe('kept work', () => {
   ])('%s', (_, raw, reason) => {
     expect(() => fromText(JSON.stringify(raw), known)).toThrow(reason);
   });
+});
+
+test('plots of another shape are passed over', () => {
+  const pane = { title: '', x: 't', y: ['X'] };
+  const plots = (own: unknown) => plotsFrom({ own, degrees: true, wrapped: false });
+  expect(plots({ key: 'a/b', panes: [pane] })).not.toBeNull();
+  for (const bad of [{ ...pane, y: 'X' }, { ...pane, y: [1] }, { ...pane, x: null }, { ...pane, to: 'end' }, { ...pane, exact: { label: '', expression: 'while(1)' } }, null, []]) expect(plots({ key: 'a/b', panes: [bad] })).toBeNull();
+  for (const bad of [undefined, 3, { key: 'a/b' }, { key: 'a/b', panes: Array(100).fill(pane) }]) expect(plots(bad)).toBeNull();
 });
 
 describe('a file named by the address', () => {

@@ -1,0 +1,151 @@
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+
+/** A curve as points in the axes' units; a point that is not a number is a gap. Of any number of motions. */
+export interface PaneCurve {
+  color: string;
+  dash?: readonly number[] | undefined;
+  x: ArrayLike<number>;
+  y: ArrayLike<number>;
+}
+
+export interface PaneOptions {
+  xLabel: string;
+  yLabel: string;
+  ink: string;
+  line: string;
+  /** A unit is as long on both axes. */
+  equal: boolean;
+}
+
+type Range = readonly [number, number];
+
+export interface PanePlot {
+  draw(curves: readonly PaneCurve[], x: Range, y: Range): void;
+  /** Marks the present: a line at x, and dots. Cheap: nothing is drawn anew. */
+  mark(x: number | null, dots: readonly { x: number; y: number; color: string }[]): void;
+  /** Values of the axes under a place on the screen. */
+  at(clientX: number, clientY: number): { x: number; y: number };
+  /** The area of the curves, for pointers. */
+  readonly over: HTMLElement;
+  readonly canvas: HTMLCanvasElement;
+  /** Width of the area of the curves, CSS pixels. */
+  readonly width: number;
+  resize(width: number, height: number): void;
+  destroy(): void;
+}
+
+/** Points nearer than this to the last one drawn (CSS pixels) add nothing to a picture. */
+const FINE = 0.4;
+const FONT = '11px system-ui, sans-serif';
+
+/** Axes by uPlot, curves drawn into them: also those that turn back on themselves. */
+export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, equal }: PaneOptions): PanePlot {
+  let curves: readonly PaneCurve[] = [];
+  const ranges: { x: Range; y: Range } = { x: [0, 1], y: [0, 1] };
+  const cursor = document.createElement('div');
+  cursor.className = 'pane-cursor';
+  const dotsBox = document.createElement('div');
+  const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: FONT, labelFont: FONT, labelSize: 15 };
+  const typeset = (_: uPlot, at: number[]): string[] => at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
+  const plot = new uPlot(
+    {
+      width: Math.max(80, host.clientWidth),
+      height: Math.max(60, host.clientHeight),
+      legend: { show: false },
+      cursor: { show: false },
+      scales: { x: { time: false, range: () => [...ranges.x] as [number, number] }, y: { range: () => [...ranges.y] as [number, number] } },
+      axes: [
+        { ...axis, label: xLabel, size: 26, values: typeset },
+        { ...axis, label: yLabel, size: 46, values: typeset },
+      ],
+      series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
+      hooks: { draw: [(u) => strokeAll(u, curves)] },
+    },
+    [[0, 1], [0, 0]],
+    host,
+  );
+  plot.over.append(cursor, dotsBox);
+  const fit = (): void => {
+    if (!equal) return;
+    const { clientWidth: w, clientHeight: h } = plot.over;
+    if (w === 0 || h === 0) return;
+    const perPixel = Math.max((ranges.x[1] - ranges.x[0]) / w, (ranges.y[1] - ranges.y[0]) / h);
+    ranges.x = around(ranges.x, (perPixel * w) / 2);
+    ranges.y = around(ranges.y, (perPixel * h) / 2);
+  };
+
+  return {
+    draw(next, x, y) {
+      curves = next;
+      ranges.x = x;
+      ranges.y = y;
+      fit();
+      plot.setData([[ranges.x[0], ranges.x[1]], [null, null]]);
+    },
+    mark(x, dots) {
+      const left = x === null ? NaN : plot.valToPos(x, 'x');
+      const inside = left >= -0.5 && left <= plot.over.clientWidth + 0.5;
+      cursor.hidden = !inside;
+      if (inside) cursor.style.transform = `translateX(${left}px)`;
+      while (dotsBox.children.length > dots.length) dotsBox.lastChild!.remove();
+      while (dotsBox.children.length < dots.length) dotsBox.append(Object.assign(document.createElement('div'), { className: 'pane-dot' }));
+      dots.forEach((dot, i) => {
+        const element = dotsBox.children[i] as HTMLElement;
+        const [px, py] = [plot.valToPos(dot.x, 'x'), plot.valToPos(dot.y, 'y')];
+        element.hidden = !(px >= 0 && py >= 0 && px <= plot.over.clientWidth && py <= plot.over.clientHeight);
+        element.style.transform = `translate(${px}px, ${py}px)`;
+        element.style.background = dot.color;
+      });
+    },
+    at(clientX, clientY) {
+      const box = plot.over.getBoundingClientRect();
+      return { x: plot.posToVal(clientX - box.left, 'x'), y: plot.posToVal(clientY - box.top, 'y') };
+    },
+    over: plot.over,
+    canvas: plot.ctx.canvas,
+    get width() {
+      return plot.over.clientWidth;
+    },
+    resize: (width, height) => plot.setSize({ width: Math.max(80, width), height: Math.max(60, height) }),
+    destroy: () => plot.destroy(),
+  };
+}
+
+const around = ([low, high]: Range, half: number): Range => [(low + high) / 2 - half, (low + high) / 2 + half];
+
+function strokeAll(u: uPlot, curves: readonly PaneCurve[]): void {
+  const { ctx, bbox } = u;
+  const scale = devicePixelRatio || 1;
+  // Linear axes: two numbers each.
+  const [x0, y0] = [u.valToPos(0, 'x', true), u.valToPos(0, 'y', true)];
+  const [xs, ys] = [u.valToPos(1, 'x', true) - x0, u.valToPos(1, 'y', true) - y0];
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.lineWidth = 1.5 * scale;
+  ctx.lineJoin = 'round';
+  for (const { color, dash, x, y } of curves) {
+    ctx.strokeStyle = color;
+    ctx.setLineDash(dash ? dash.map((d) => d * scale) : []);
+    ctx.beginPath();
+    let pen = false;
+    let [lastX, lastY] = [NaN, NaN];
+    for (let i = 0; i < x.length; i++) {
+      const [px, py] = [x0 + xs * x[i]!, y0 + ys * y[i]!];
+      if (px - px !== 0 || py - py !== 0) {
+        pen = false;
+        continue;
+      }
+      if (!pen) ctx.moveTo(px, py);
+      else if (i === x.length - 1 || Math.abs(px - lastX) > FINE || Math.abs(py - lastY) > FINE) ctx.lineTo(px, py);
+      else continue;
+      pen = true;
+      lastX = px;
+      lastY = py;
+    }
+    ctx.stroke();
+  }
+  ctx.restore();
+}

@@ -1,0 +1,202 @@
+/** One plot: its curves, what they are at the present time, and how to change it. */
+import { effect, useSignal, type Signal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { App, Motion, PlotPane } from '../../app/types.ts';
+import { createPanePlot, type PanePlot } from '../../charts/panePlot.ts';
+import { text } from '../../text/plots.ts';
+import { useUi } from '../../ui/context.ts';
+import { Icon } from '../../ui/controls.tsx';
+import { formatShort, formatTime } from '../../ui/format.ts';
+import { Menu } from '../../ui/menu.tsx';
+import { useSlowTime } from '../../ui/nowPanel.tsx';
+import type { ColumnInfo, Values } from './columns.ts';
+import { at, curvesOf, DEGREE, energySpent, limits, unitOf } from './drawing.ts';
+import { attachPointers, onPaneKey } from './pointers.ts';
+import { saveCsv, savePng, saveSvg } from './save.ts';
+import { stylesOf } from './style.ts';
+
+/** Curves grow at most so often, ms. */
+const REDRAW_MS = 100;
+
+export interface PaneProps {
+  pane: PlotPane;
+  motion: Motion;
+  columns: readonly ColumnInfo[];
+  values(name: string): Values;
+  /** Of all plots over time; null for the whole. */
+  range: Signal<readonly [number, number] | null>;
+  first: boolean;
+  onChange(pane: PlotPane | null): void;
+  onUp(): void;
+}
+
+export function PaneView(props: PaneProps) {
+  const { pane, motion, columns, first, onChange, onUp } = props;
+  const { app } = useUi();
+  const infoOf = (name: string): ColumnInfo => columns.find((c) => c.name === name) ?? { name, label: name, unit: '', angle: false, part: null, group: '' };
+  const host = useRef<HTMLDivElement>(null);
+  const drawn = useRef<PanePlot | null>(null);
+  const latest = useRef(props);
+  latest.current = props;
+  const tableOpen = useSignal(false);
+  const info = pane.y.map(infoOf);
+  const shown = info.filter((c) => !pane.hidden?.includes(c.name));
+  const { degrees } = app.state.plots.value;
+  usePlot(app, host, drawn, latest, infoOf);
+  const names = shown.map((c) => c.label).join(', ');
+  return (
+    <section class="pane" aria-label={pane.title} data-testid="plot-pane">
+      <div class="pane-head">
+        <input class="pane-title" value={pane.title} aria-label={pane.title} onChange={(e) => onChange({ ...pane, title: e.currentTarget.value })} />
+        <label class="pane-x">{text.over} <select value={pane.x} data-testid="plot-x" onChange={(e) => onChange({ ...pane, x: e.currentTarget.value, equal: false })}><Options columns={columns} /></select></label>
+        <Menu label={`${text.save}: ${pane.title}`} testId="plot-save" align="right" items={[
+          { id: 'png', title: text.png, testId: 'plot-png', choose: () => savePng(host.current!, pane.title) },
+          { id: 'svg', title: text.svg, testId: 'plot-svg', choose: () => saveSvg(latest.current, app, infoOf) },
+          { id: 'csv', title: text.csv, testId: 'plot-csv', choose: () => saveCsv(latest.current) },
+        ]}><Icon name="export" /></Menu>
+        <button type="button" class="quiet square" aria-label={`${text.table}: ${pane.title}`} title={text.table} aria-expanded={tableOpen.value} data-testid="plot-table" onClick={() => { tableOpen.value = !tableOpen.value; }}><Icon name="table" /></button>
+        {!first && <button type="button" class="quiet square" aria-label={text.up(pane.title)} title={text.up(pane.title)} onClick={onUp}><Icon name="up" /></button>}
+        <button type="button" class="quiet square" aria-label={text.removePane(pane.title)} title={text.removePane(pane.title)} data-testid="plot-remove" onClick={() => onChange(null)}><Icon name="close" /></button>
+      </div>
+      <div ref={host} class={`pane-plot${pane.equal ? ' equal' : ''}`} tabIndex={0} role="img" data-testid="plot-canvas" aria-label={text.pane(pane.title, names || text.noCurve, infoOf(pane.x).label)} title={text.keysHint}
+        onKeyDown={(event) => onPaneKey(event, app, latest.current)} />
+      <Legend info={info} {...props} degrees={degrees} />
+      {tableOpen.value && <ValueTable info={[infoOf(pane.x), ...shown.filter((c) => c.name !== pane.x)]} {...props} degrees={degrees} />}
+      <label class="pane-add"><span class="hidden">{text.addCurve}</span>
+        <select value="" data-testid="plot-add-curve" onChange={(e) => { if (e.currentTarget.value) onChange({ ...pane, y: [...pane.y.filter((n) => n !== e.currentTarget.value), e.currentTarget.value] }); }}>
+          <option value="">{text.addCurve}</option><Options columns={columns} />
+        </select>
+      </label>
+      <Spent pane={pane} motion={motion} values={props.values} />
+    </section>
+  );
+}
+
+/** Makes the drawing once, and draws when rows, range, units, curves or theme change. */
+function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { current: PanePlot | null }, latest: { current: PaneProps }, infoOf: (name: string) => ColumnInfo): void {
+  const { pane } = latest.current;
+  const { state } = app;
+  const redraw = useRef<() => void>(() => {});
+  const { degrees, wrapped } = state.plots.value;
+  const theme = state.theme.value;
+  const units = unitOf(pane.y.map(infoOf), degrees);
+  useEffect(() => {
+    const element = host.current!;
+    const token = (name: string): string => getComputedStyle(element).getPropertyValue(name).trim();
+    const x = infoOf(pane.x);
+    const plot = createPanePlot(element, { xLabel: pane.x === 't' ? 't, s' : `${pane.x}${x.unit ? `, ${unitOf([x], degrees)}` : ''}`, yLabel: units, ink: token('--muted'), line: token('--line'), equal: pane.equal ?? false });
+    drawn.current = plot;
+    let last = 0;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const draw = (): void => {
+      timer = undefined;
+      last = performance.now();
+      const now = latest.current;
+      const styles = stylesOf(now.pane.y.map(infoOf), token);
+      const { curves, x: xr, y: yr } = curvesOf(now, infoOf, state.plots.peek().degrees, styles, plot.width);
+      plot.draw(curves, xr, yr);
+      mark();
+      if (now.pane.y.some((name) => now.values(name).behind) || (now.pane.x !== 't' && now.values(now.pane.x).behind)) soon();
+    };
+    const soon = (): void => void (timer ??= setTimeout(draw, Math.max(0, REDRAW_MS - (performance.now() - last))));
+    const mark = (): void => {
+      const now = latest.current;
+      const time = state.time.peek();
+      if (now.pane.x === 't') return plot.mark(time, []);
+      const factor = (name: string): number => (infoOf(name).angle && state.plots.peek().degrees ? 1 / DEGREE : 1);
+      const value = (name: string): number => factor(name) * at(now.motion.trajectory, now.values(name).get(), time);
+      const styles = stylesOf(now.pane.y.map(infoOf), token);
+      plot.mark(null, now.pane.y.flatMap((name, i) => (now.pane.hidden?.includes(name) ? [] : [{ x: value(now.pane.x), y: value(name), color: styles[i]!.color }])));
+    };
+    redraw.current = soon;
+    const ends = [
+      effect(() => {
+        void state.rowsVersion.value;
+        void latest.current.range.value;
+        soon();
+      }),
+      state.time.subscribe(mark),
+      attachPointers(plot, app, latest),
+    ];
+    const observer = new ResizeObserver(() => {
+      plot.resize(element.clientWidth, element.clientHeight);
+      soon();
+    });
+    observer.observe(element);
+    return () => {
+      clearTimeout(timer);
+      for (const end of ends) end();
+      observer.disconnect();
+      plot.destroy();
+      drawn.current = null;
+    };
+  }, [theme, degrees, wrapped, units]);
+  useEffect(() => redraw.current(), [pane]);
+}
+
+function Options({ columns }: { columns: readonly ColumnInfo[] }) {
+  const groups = [...new Set(columns.map((c) => c.group))];
+  return (
+    <>
+      {groups.map((group) => (
+        <optgroup key={group} label={group}>
+          {columns.filter((c) => c.group === group).map((c) => <option key={c.name} value={c.name}>{c.name === c.label ? c.name : `${c.name} · ${c.label}`}</option>)}
+        </optgroup>
+      ))}
+    </>
+  );
+}
+
+function Legend({ info, pane, motion, values, degrees, onChange }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
+  const time = useSlowTime();
+  const root = useRef<HTMLUListElement>(null);
+  const token = (name: string): string => getComputedStyle(root.current ?? document.documentElement).getPropertyValue(name).trim();
+  const styles = stylesOf(info, token);
+  const hidden = new Set(pane.hidden);
+  const toggle = (name: string) => onChange({ ...pane, hidden: hidden.has(name) ? [...hidden].filter((n) => n !== name) : [...hidden, name] });
+  const isolate = (name: string) => onChange({ ...pane, hidden: pane.y.filter((n) => n !== name) });
+  return (
+    <ul class="pane-legend" ref={root}>
+      {info.map((c, i) => {
+        const value = at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1);
+        return (
+          <li key={c.name} class={hidden.has(c.name) ? 'off' : undefined}>
+            <button type="button" aria-pressed={!hidden.has(c.name)} aria-label={text.hide(c.label)} title={`${c.label}. ${text.isolateHint}`} data-testid={`legend-${c.name}`} onClick={() => toggle(c.name)} onDblClick={() => isolate(c.name)}>
+              <svg width="20" height="8" aria-hidden="true"><line x1="0" y1="4" x2="20" y2="4" stroke={styles[i]!.color} stroke-width="2.5" stroke-dasharray={styles[i]!.dash?.join(' ')} /></svg>
+              <span>{c.name}</span> <span class="number">{formatShort(value, 4)}</span> <span class="unit">{unitOf([c], degrees)}</span>
+            </button>
+            <button type="button" class="quiet square remove" aria-label={text.removeCurve(c.name)} title={text.removeCurve(c.name)} onClick={() => onChange({ ...pane, y: pane.y.filter((n) => n !== c.name) })}><Icon name="close" /></button>
+          </li>
+        );
+      })}
+      {pane.exact && <li><svg width="20" height="8" aria-hidden="true"><line x1="0" y1="4" x2="20" y2="4" stroke="currentColor" stroke-width="1.5" stroke-dasharray="2 2" /></svg> <span>{pane.exact.label || text.exact}</span></li>}
+    </ul>
+  );
+}
+
+/** The same in numbers, for those who read rather than see. */
+function ValueTable({ info, pane, motion, values, range, degrees }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
+  const [from, to] = limits(motion, range.value, pane.to);
+  const times = Array.from({ length: 21 }, (_, i) => from + ((to - from) * i) / 20);
+  const list = pane.x === 't' ? info.slice(1) : info;
+  return (
+    <div class="pane-table">
+      <table data-testid="plot-values">
+        <caption class="hidden">{text.values(pane.title)}</caption>
+        <thead><tr><th scope="col">t, s</th>{list.map((c) => <th key={c.name} scope="col">{c.name} {unitOf([c], degrees)}</th>)}</tr></thead>
+        <tbody>
+          {times.map((time) => (
+            <tr key={time}><th scope="row">{formatTime(time)}</th>{list.map((c) => <td key={c.name}>{formatShort(at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1), 6)}</td>)}</tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+/** Under the plot of the power: the work so far. */
+function Spent({ pane, motion, values }: Pick<PaneProps, 'pane' | 'motion' | 'values'>) {
+  const time = useSlowTime();
+  if (!pane.y.includes('power')) return null;
+  return <p class="hint" data-testid="plot-spent">{text.spent(formatShort(energySpent(motion.trajectory, values('power').get(), time), 4))}</p>;
+}

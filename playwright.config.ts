@@ -26,6 +26,7 @@ export default defineConfig({
     deviceScaleFactor: 1,
     locale: 'en-US',
     timezoneId: 'UTC',
+    serviceWorkers: 'block', // tests watch the page's own requests; offline.spec.ts allows them
     contextOptions: { reducedMotion: 'reduce' },
     launchOptions: {
       // Empty: the browser that Playwright manages. It adds --no-sandbox itself.

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
+import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
@@ -18,6 +19,7 @@ export default defineConfig({
   plugins: [woff2Only],
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
+  plugins: [offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined), rolldownOptions: { output: { chunkFileNames } } },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },

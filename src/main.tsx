@@ -1,9 +1,10 @@
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
 import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
 import { Sweep } from './app/sweep.ts';
 import { stageOf } from './app/stage.ts';
+import { prepareVisit } from './app/visit.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
 import { tools } from './tools/tools.ts';
@@ -28,6 +29,7 @@ const app = createApp(
 Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
+const visit = prepareVisit(app, tools.map(({ id }) => id));
 
 render(
   <Shell
@@ -36,6 +38,7 @@ render(
     formulations={formulations}
     origin={app.state.origin}
     tools={tools}
+    onForget={() => void visit.keeper.forget()}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}
@@ -43,4 +46,14 @@ render(
   document.getElementById('app')!,
 );
 
-app.actions.open();
+void visit.begin();
+
+// After the first motion has been computed, so that storing the page for use without a connection takes nothing from it.
+if (import.meta.env.PROD && 'serviceWorker' in navigator) {
+  let asked = false;
+  effect(() => {
+    if (asked || (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file')) return;
+    asked = true;
+    setTimeout(() => void import('./app/offline.ts').then(({ workOffline }) => workOffline(app)).catch(() => {}), 1000);
+  });
+}

@@ -37,7 +37,7 @@ export class FileOpener {
   async open(files: readonly File[]): Promise<void> {
     const meshes = files.filter((f) => /\.(mdl|mat)$/i.test(f.name));
     if (meshes.length > 0) await this.openMeshes(meshes);
-    for (const file of files.filter((f) => !meshes.includes(f))) await this.openOne(file);
+    for (const file of files.filter((f) => !meshes.includes(f))) await this.openFile(file.name, file);
   }
 
   async openSample(id: string, samples: readonly SampleInfo[]): Promise<void> {
@@ -64,16 +64,20 @@ export class FileOpener {
     this.reading?.abort();
   }
 
-  private async openOne(file: File): Promise<void> {
+  /**
+   * A CSV or a scenario; done when it is on the stage or refused with a message.
+   * @param timeStep of a file without a header, if it is known (s)
+   */
+  async openFile(name: string, file: Blob, timeStep?: number): Promise<void> {
     try {
       const start = await file.slice(0, 200).text();
-      const isScenario = /\.json$/i.test(file.name) || (/^\s*\{/.test(start) && !/\.(csv|txt|tsv)$/i.test(file.name));
+      const isScenario = /\.json$/i.test(name) || (/^\s*\{/.test(start) && !/\.(csv|txt|tsv)$/i.test(name));
       const most = isScenario ? LARGEST_SCENARIO : LARGEST_TABLE;
       if (file.size > most) throw new Error(`${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`);
-      if (isScenario) this.readScenario(file.name, await file.text());
-      else await this.readMotion(file.name, file);
+      if (isScenario) this.readScenario(name, await file.text());
+      else await this.readMotion(name, file, timeStep);
     } catch (error) {
-      this.fail(file.name, [messageOf(error)]);
+      this.fail(name, [messageOf(error)]);
     }
   }
 
@@ -113,6 +117,7 @@ export class FileOpener {
       return;
     }
     this.showMotion(name, result, reading);
+    this.context.state.opened.value = { name, file, ...(timeStep === undefined ? {} : { timeStep }) };
   }
 
   private showMotion(name: string, result: Extract<CsvResult, { kind: 'motion' }>, { scenario, judgement }: FileReading): void {

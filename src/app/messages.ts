@@ -1,5 +1,5 @@
 import type { Signal } from '@preact/signals';
-import type { Message } from './types.ts';
+import type { Message, MessageAction } from './types.ts';
 
 /** What the page has to say; newest last, oldest dropped when there are too many to read. */
 export class Messages {
@@ -10,8 +10,8 @@ export class Messages {
     this.list = list;
   }
 
-  add(kind: Message['kind'], title: string, details: readonly string[]): void {
-    this.list.value = [...this.list.peek(), { id: this.next++, kind, title, details }].slice(-5);
+  add(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void {
+    this.list.value = [...this.list.peek(), { id: this.next++, kind, title, details, ...(action ? { action } : {}) }].slice(-5);
   }
 
   dismiss(id: number): void {

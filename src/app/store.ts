@@ -90,6 +90,14 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     openFiles: (list) => void files.open(list),
     cancelReading: () => files.cancel(),
     openSample: (id) => void files.openSample(id, samples),
+    openFile: (name, file, timeStep) => files.openFile(name, file, timeStep),
+    openScenario(origin, draft, autoplay) {
+      batch(() => {
+        state.origin.value = origin;
+        state.draft.value = draft;
+      });
+      runs.run(autoplay);
+    },
     answerTimeStep: (step) => files.answerTimeStep(step),
     exportCsv: () => void exportCsv(state, csv, messages),
     saveScenario: () => download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
@@ -109,7 +117,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       }
     },
     leaveMode: () => modes.back(),
-    report: (kind, title, details) => messages.add(kind, title, details),
+    report: (kind, title, details, action) => messages.add(kind, title, details, action),
   };
   return {
     state,
@@ -170,6 +178,8 @@ function initialState({ dark, roomy }: Preferences): AppState {
     pendingFile: signal(null),
     reading: signal(null),
     meshes: signal(new Map()),
+    opened: signal(null),
+    loading: signal(null),
   };
 }
 

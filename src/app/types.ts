@@ -77,6 +77,13 @@ export interface Message {
   title: string;
   /** What happened, where, what to do. */
   details: readonly string[];
+  /** What the person may do about it with one press. */
+  action?: MessageAction;
+}
+
+export interface MessageAction {
+  label: string;
+  run(): void;
 }
 
 export interface PendingFile {
@@ -152,6 +159,10 @@ export interface AppState {
   reading: Signal<{ name: string; share: number; rows: number } | null>;
   /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
+  /** The file that was just put on the stage, until it has been stored. */
+  opened: Signal<{ name: string; file: Blob; timeStep?: number } | null>;
+  /** A file on its way from the server: 0 to 1, or null where its length is not known. */
+  loading: Signal<{ name: string; share: number | null } | null>;
 }
 
 export interface AppActions {
@@ -170,6 +181,10 @@ export interface AppActions {
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
+  /** A CSV or a scenario; done when it is on the stage or refused with a message. */
+  openFile(name: string, file: Blob, timeStep?: number): Promise<void>;
+  /** Puts a checked draft into the panel and runs it. */
+  openScenario(origin: CaseInfo, draft: ScenarioFile, autoplay?: boolean): void;
   /** Gives up the file being read. */
   cancelReading(): void;
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
@@ -191,7 +206,7 @@ export interface AppActions {
   /** From a mode back to what was on the stage before. */
   leaveMode(): void;
   /** Tells the person something that happened outside the store. */
-  report(kind: Message['kind'], title: string, details: readonly string[]): void;
+  report(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void;
 }
 
 export interface CaseInfo {

@@ -63,6 +63,7 @@ const PATHS = {
   play: 'M4 2.5v11l9-5.5z', pause: 'M4 2.5h3v11H4zM9 2.5h3v11H9z', back: 'M12 3v10L5 8zM3.5 3h1.5v10H3.5z', forward: 'M4 3v10l7-5zM11 3h1.5v10H11z',
 } as const;
 const LINES = {
+  share: 'M6 9.5l4-4M7 4.5l1.5-1.5a3 3 0 0 1 4.3 4.3L11.3 8.8M9 11.5L7.5 13a3 3 0 0 1-4.3-4.3L4.7 7.2',
   plots: 'M2 2v12h12M4 11c2-7 3-7 4.5-3s2.5 3 5-4',
   now: 'M2.5 12a6.2 6.2 0 1 1 11 0M8 9.5l2.5-3.5',
   analysis: 'M2 8h12M9 2v12M4.5 4.5l2 2m0-2l-2 2M4.5 9.5l2 2m0-2l-2 2', methods: 'M2 13c4 0 4-9 12-9M2 13c6 0 8-3 12-3M2 2v12h12',

@@ -7,6 +7,7 @@ import { useUi } from './context.ts';
 import { Icon } from './controls.tsx';
 import { formatShort } from './format.ts';
 import { NumberField } from './numberField.tsx';
+import { text as keepText } from '../text/keep.ts';
 import { text } from '../text/page.ts';
 import { numberOf } from './useNumberField.ts';
 
@@ -40,7 +41,7 @@ export function Dialog({ title, testId, wide, onClose, children }: { title: stri
   );
 }
 
-export function KeysDialog({ open }: { open: Signal<boolean> }) {
+export function KeysDialog({ open, onForget }: { open: Signal<boolean>; onForget?: (() => void) | undefined }) {
   if (!open.value) return null;
   return (
     <Dialog title={text.top.keys} testId="keys-dialog" onClose={() => { open.value = false; }}>
@@ -49,6 +50,12 @@ export function KeysDialog({ open }: { open: Signal<boolean> }) {
           <div key={keys}><dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt><dd>{what}</dd></div>
         ))}
       </dl>
+      {onForget && (
+        <div class="forget">
+          <p class="hint">{keepText.forgetHint}</p>
+          <button type="button" data-testid="forget" onClick={() => { open.value = false; onForget(); }}>{keepText.forget}</button>
+        </div>
+      )}
     </Dialog>
   );
 }

@@ -19,7 +19,7 @@ export function Messages() {
 function Toast({ message }: { message: Message }) {
   const { actions } = useUi().app;
   useEffect(() => {
-    if (message.kind !== 'info') return;
+    if (message.kind !== 'info' || message.action) return;
     const timer = setTimeout(() => actions.dismiss(message.id), LINGER);
     return () => clearTimeout(timer);
   }, [message.id]);
@@ -28,6 +28,7 @@ function Toast({ message }: { message: Message }) {
       <div>
         <p class="message-title">{message.title}</p>
         {message.details.map((line, i) => <p key={i}>{line}</p>)}
+        {message.action && <button type="button" class="message-action" onClick={() => { message.action!.run(); actions.dismiss(message.id); }}>{message.action.label}</button>}
       </div>
       <button type="button" class="quiet square" aria-label={text.message.dismiss} onClick={() => actions.dismiss(message.id)}><Icon name="close" /></button>
     </div>

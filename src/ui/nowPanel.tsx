@@ -16,7 +16,7 @@ const INTERVAL = 1000 / 15;
 export function NowTool() {
   const isFile = useUi().app.state.motion.value?.source === 'file';
   return (
-    <div class="scroll">
+    <div class="scroll" tabIndex={0} role="region" aria-label={text.panel.now}>
       <NowPanel />
       {isFile && <section class="file-section" aria-label={text.panel.file}><h3>{text.panel.file}</h3><FilePanel /></section>}
     </div>

@@ -12,6 +12,7 @@ import { useKeyboard } from './keyboard.ts';
 import { useMedia } from './media.ts';
 import { Messages } from './messages.tsx';
 import { LeftPanel, Sheet, Tools } from './panels.tsx';
+import { SkipLinks } from './skipLinks.tsx';
 import { StageOverlay } from './stageOverlay.tsx';
 import { StatusLine } from './statusLine.tsx';
 import { text } from '../text/page.ts';
@@ -33,11 +34,13 @@ export interface ShellProps {
   /** The case the draft came from; without it, the last case whose scenario the draft was. */
   origin?: ReadonlySignal<CaseInfo | null>;
   tools: readonly Tool[];
+  /** Takes away what this browser stores for the page. */
+  onForget?: () => void;
 }
 
 export const PHONE = '(max-width: 760px)';
 
-export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools }: ShellProps) {
+export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools, onForget }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);
   const keysOpen = useSignal(false);
   const phone = useMedia(PHONE);
@@ -45,10 +48,11 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
   useKeyboard(app, keysOpen);
   return (
     <UiContext.Provider value={ui}>
+      <SkipLinks />
       <div class="shell">
         <TopBar keysOpen={keysOpen} />
         {phone ? null : <LeftPanel />}
-        <main key="stage" class="stage" aria-label={text.view.scene}>
+        <main key="stage" id="stage" class="stage" tabIndex={-1} aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
         </main>
@@ -59,7 +63,7 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       </div>
       <Messages />
       <StepDialog />
-      <KeysDialog open={keysOpen} />
+      <KeysDialog open={keysOpen} onForget={onForget} />
       <DropOverlay />
       <Announcer />
     </UiContext.Provider>

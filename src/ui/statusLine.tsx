@@ -1,6 +1,7 @@
 /** One line that is always there: how the numbers were made and whether to trust them. */
 import type { Motion } from '../app/types.ts';
 import { DEFAULTS } from '../core/scenario/defaults.ts';
+import { Connection } from './connection.tsx';
 import { useUi } from './context.ts';
 import { formatCount, formatScientific } from './format.ts';
 import { text } from '../text/page.ts';
@@ -15,6 +16,7 @@ export function StatusLine() {
     <footer class="status" data-testid="status" aria-label={text.status.label}>
       {motion?.source === 'mode' ? <span>{text.look.modeFacts}</span> : motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
       <span class="spring" />
+      <Connection />
       {motion?.source !== 'mode' && <RunStanding />}
     </footer>
   );

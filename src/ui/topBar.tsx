@@ -6,6 +6,7 @@ import { Dialog } from './dialogs.tsx';
 import { sameContent } from './draft.ts';
 import { later } from './later.tsx';
 import { Menu } from './menu.tsx';
+import { ShareButton } from './share.tsx';
 import { text } from '../text/page.ts';
 
 const Gallery = later(async () => (await import('./gallery.tsx')).Gallery);
@@ -32,6 +33,7 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
       ]}>
         <Icon name="export" /><span class="word">{text.top.exports}</span>
       </Menu>
+      <ShareButton />
       <button type="button" class="quiet square" data-testid="theme" aria-label={text.top.theme(theme)} title={text.top.theme(theme)} onClick={() => { state.theme.value = theme === 'dark' ? 'light' : 'dark'; }}>
         <Icon name={theme === 'dark' ? 'light' : 'dark'} />
       </button>

@@ -13,7 +13,7 @@ export function Transport() {
   const empty = state.motion.value === null;
   const words = text.transport;
   return (
-    <section class="transport" aria-label={words.label}>
+    <section id="playback" class="transport" tabIndex={-1} aria-label={words.label}>
       <div class="transport-keys">
         <button type="button" class="quiet square" data-testid="step-back" aria-label={words.back} title={`${words.back} (←)`} disabled={empty} onClick={() => actions.stepRows(-1)}><Icon name="back" /></button>
         <button type="button" class="quiet square play" data-testid="play" aria-label={playing ? words.pause : words.play} title={`${playing ? words.pause : words.play} (Space)`} disabled={empty} onClick={() => actions.toggle()}>

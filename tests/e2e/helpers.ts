@@ -1,6 +1,6 @@
 /** What every browser test needs: opening the page, dropping files, reading the scene, comparing pictures. */
 import { readFileSync } from 'node:fs';
-import { expect, test, type Download, type Page } from '@playwright/test';
+import { expect, test, type BrowserContext, type Download, type Page } from '@playwright/test';
 import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
 import type { SceneView } from '../../src/scene/contract.ts';
@@ -61,8 +61,18 @@ export async function openPage(page: Page): Promise<Watch> {
   return watch;
 }
 
+/** Where only numbers and words count: software WebGL pays for every pixel, so there is none, and the page says so. */
+export async function withoutScene(pages: Page | BrowserContext): Promise<void> {
+  await pages.addInitScript(() => {
+    const plain = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: never[]) {
+      return /webgl/.test(kind) ? null : Reflect.apply(plain, this, [kind, ...rest]);
+    } as typeof plain;
+  });
+}
+
 /** Writes down what the page and its workers say to each other. */
-async function recordWorkers(page: Page): Promise<void> {
+export async function recordWorkers(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const events: WorkerEvent[] = (window.workerEvents = []);
     const note = (sent: boolean, data: Partial<WorkerEvent> & { type?: string }) => {

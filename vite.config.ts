@@ -16,10 +16,9 @@ const woff2Only = {
 };
 
 export default defineConfig({
-  plugins: [woff2Only],
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [offline()],
+  plugins: [woff2Only, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined), rolldownOptions: { output: { chunkFileNames } } },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },

@@ -32,6 +32,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced by its steering motors',
     source: '',
     look: 'Ten degrees of lean at 1 m/s: two small motors on the casters steer the board back under itself. Open Control and change a weight while it rides.',
+    chapter: '3.5',
     picture: { time: 0.25 },
     scenario: {
       version: 1,
@@ -177,6 +178,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced by the feet, at rest',
     source: '',
     look: 'Ten degrees of lean without a push: both feet roll the plates upright again, and the casters swing out and back. At rest a board is held up by its rider alone.',
+    chapter: '3.5',
     picture: { time: 0.3, view: 'front' },
     scenario: {
       version: 1,
@@ -195,6 +197,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced, and pushed',
     source: 'Report, section 3.5: its two disturbances, here on both plates',
     look: 'At 1 m/s the steering motors catch a push to one side at 2 s and one to the other at 6 s. Pull at a plate yourself, while it rides: a spring pulls where you drag.',
+    chapter: '3.5',
     picture: { time: 2.2 },
     scenario: {
       version: 1,

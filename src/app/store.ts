@@ -136,6 +136,8 @@ function initialState({ dark, roomy }: Preferences): AppState {
     showForces: signal(false),
     theme: signal(dark ? 'dark' : 'light'),
     tool: signal(roomy ? 'now' : null),
+    exporting: signal(false),
+    studio: signal(null),
     messages: signal([]),
     pendingFile: signal(null),
     meshes: signal(new Map()),

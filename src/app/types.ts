@@ -3,6 +3,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './comparison.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
+import type { Studio } from './studio.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
@@ -108,6 +109,10 @@ export interface AppState {
   theme: Signal<'light' | 'dark'>;
   /** Which tool is open beside the scene, by id; null when none is. */
   tool: Signal<string | null>;
+  /** Whether the export dialog is open. */
+  exporting: Signal<boolean>;
+  /** Makes pictures and 3-D files of what is on the stage; null without a scene. */
+  studio: Signal<Studio | null>;
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;

@@ -21,11 +21,11 @@ const MAX_PIXEL_RATIO = 2;
 
 /** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
 export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
-  const { gl, software } = openContext(canvas);
+  const { gl, software } = openContext(canvas, options.still?.transparent);
   const quality: Quality = options.quality ?? 'auto';
   const rich = quality === 'high' || (quality === 'auto' && !software);
 
-  const renderer = new WebGLRenderer({ canvas, context: gl });
+  const renderer = new WebGLRenderer({ canvas, context: gl, alpha: options.still?.transparent === true });
   renderer.toneMapping = NeutralToneMapping; // keeps the colours that mean something
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
@@ -34,7 +34,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const scene = new Scene();
   const background = new Color(palette.background);
   const fog = new Fog(background, 5, 20);
-  scene.background = background;
+  scene.background = options.still?.transparent ? null : background;
   scene.fog = fog;
   const lights = new Lights(scene, palette, rich ? 2048 : 1024);
   const ground = new Ground(scene, palette);
@@ -42,6 +42,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const bodies = new Bodies(scene, palette);
   const trails = new Trails(scene, palette);
   const forces = new Forces(scene, palette);
+  if (options.still?.transparent) ground.hideDisc();
+  if (options.still?.labels === false) labels.hide();
   const focus = new Focus();
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
 
@@ -200,7 +202,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     resize(w, h, devicePixelRatio) {
       width = Math.max(1, w);
       height = Math.max(1, h);
-      const ratio = Math.min(Math.max(devicePixelRatio, 0.5), MAX_PIXEL_RATIO);
+      const ratio = Math.min(Math.max(devicePixelRatio, 0.25), options.still ? Infinity : MAX_PIXEL_RATIO);
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
       rig.setAspect(width / height);
@@ -210,6 +212,15 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     setBodyVisible(index, visible) {
       bodies.setVisible(index, visible);
       requestRender();
+    },
+    placement: () => ({ camera: rig.camera.position.toArray(), target: rig.target.toArray() }),
+    setPlacement: (camera, target) => rig.go(camera, target, true),
+    draw() {
+      if (rich && !lights.hasRoom) makeRoom();
+      cancelAnimationFrame(requested);
+      render(performance.now());
+      cancelAnimationFrame(requested);
+      requested = 0;
     },
     requestRender,
     stats: () => ({ frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count }),

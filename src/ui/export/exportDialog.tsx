@@ -2,6 +2,7 @@
 import { useUi } from '../context.ts';
 import { Choice, Toggle } from '../controls.tsx';
 import { Dialog } from '../dialogs.tsx';
+import { later } from '../later.tsx';
 import type { Studio } from '../../app/studio.ts';
 import type { Motion } from '../../app/types.ts';
 import { sizeInWords } from '../../app/exportPlan.ts';
@@ -9,7 +10,9 @@ import { exportText as text } from '../../text/export.ts';
 import { RangeFields } from './fields.tsx';
 import { choices, job, rangeOf, saveGlb, type Tab } from './jobs.ts';
 import { PicturePage, SaveButton } from './picturePage.tsx';
-import { VideoPage } from './videoPage.tsx';
+
+/** With the encoder's code. */
+const VideoPage = later(async () => (await import('./videoPage.tsx')).VideoPage);
 
 export function ExportDialog() {
   const { state } = useUi().app;

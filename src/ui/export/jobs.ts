@@ -4,7 +4,7 @@ import { download } from '../../app/download.ts';
 import { bitrateFor, fileName, frameCount, frameTime, type VideoRange } from '../../app/exportPlan.ts';
 import type { ShotPlan, Studio } from '../../app/studio.ts';
 import type { App, Motion } from '../../app/types.ts';
-import { encodeVideo, type Encoding } from '../../media/video.ts';
+import type { Encoding } from '../../media/video.ts';
 import { exportText as text } from '../../text/export.ts';
 import { text as page } from '../../text/page.ts';
 
@@ -75,6 +75,7 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
   const frames = frameCount(range);
   return work(app, frames, async (signal) => {
     const shot = await studio.open({ width, height, transparent: false, labels, supersample: fine ? 2 : 1, view, follow: follow ?? app.state.follow.peek(), from: range.from });
+    const { encodeVideo } = await import('../../media/video.ts');
     const draw = (k: number): void => {
       const t = frameTime(range, k);
       shot.draw(t, caption ? text.burnt(motion.title, t.toFixed(2)) : null);

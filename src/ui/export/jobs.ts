@@ -57,7 +57,7 @@ export function savePicture(app: App, studio: Studio, motion: Motion): Promise<v
   const { width, height, transparent, labels, fine, view } = choices.picture.peek();
   const time = app.state.time.peek();
   return work(app, 1, async () => {
-    const shot = await studio.open({ width, height, transparent, labels, supersample: fine ? 2 : 1, view, follow: true, from: time });
+    const shot = await studio.open({ width, height, transparent, labels: labels && !transparent, supersample: fine ? 2 : 1, view, follow: true, from: time });
     try {
       shot.draw(time, null);
       const blob = await new Promise<Blob | null>((done) => shot.canvas.toBlob(done, 'image/png'));

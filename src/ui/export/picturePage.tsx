@@ -31,7 +31,7 @@ export function PicturePage({ motion, studio }: { motion: Motion; studio: Studio
       <ViewField view={now.view} motion={motion} testId="png-view" onChange={(view) => set({ view })} />
       <Choice label={text.background} value={now.transparent ? 'transparent' : 'theme'} testId="png-background" options={(['theme', 'transparent'] as const).map((id) => ({ id, label: text.backgrounds[id] }))}
         onChange={(id) => set({ transparent: id === 'transparent' })} />
-      <Check label={text.labels} checked={now.labels} testId="png-labels" onChange={(labels) => set({ labels })} />
+      {!now.transparent && <Check label={text.labels} checked={now.labels} testId="png-labels" onChange={(labels) => set({ labels })} />}
       <Check label={text.fine} checked={now.fine} testId="png-fine" onChange={(fine) => set({ fine })} />
       <p class="hint">{text.atTime(app.state.time.value.toFixed(3))} {text.about(sizeInWords(PNG_BYTES * now.width * now.height))}</p>
       <SaveButton testId="save-png" reason={null} />

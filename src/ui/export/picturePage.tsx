@@ -24,7 +24,7 @@ const PNG_BYTES = 0.35;
 export function PicturePage({ motion, studio }: { motion: Motion; studio: Studio }) {
   const { app } = useUi();
   const now = choices.picture.value;
-  const set = (change: Partial<typeof now>): void => void (choices.picture.value = { ...now, ...change });
+  const set = (change: Partial<typeof now>): void => void (choices.picture.value = { ...choices.picture.peek(), ...change });
   return (
     <form onSubmit={(event) => { event.preventDefault(); void savePicture(app, studio, motion); }}>
       <SizeFields prefix="png" width={now.width} height={now.height} onChange={set} />

@@ -34,7 +34,7 @@ export function VideoPage({ motion, studio }: { motion: Motion; studio: Studio }
   const range = { from, to, fps: now.fps, speed: now.speed };
   const bitrate = bitrateFor(now.width, now.height, now.fps);
   const encoding = useEncoding(now.width, now.height, bitrate);
-  const set = (change: Partial<typeof now>): void => void (choices.video.value = { ...now, ...change });
+  const set = (change: Partial<typeof now>): void => void (choices.video.value = { ...choices.video.peek(), ...change });
   const frames = frameCount(range);
   const reason = to <= from ? text.empty : frames > MOST_FRAMES ? text.tooLong(String(MOST_FRAMES)) : encoding === null ? text.noCodec : null;
   const how = encoding === undefined ? text.checking : encoding === null ? '' : encoding.kind === 'exact' ? text.exact(text.codec[encoding.codec]) : text.recorded;

@@ -8,12 +8,19 @@ const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.
 const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): string =>
   `assets/${/systems\/([\w-]+)\/system\.ts$/.exec(facadeModuleId ?? '')?.[1] ?? '[name]'}-[hash].js`;
 
+/** KaTeX's style sheet names each font three times; every browser that runs this page reads woff2. */
+const woff2Only = {
+  name: 'woff2-only',
+  enforce: 'pre' as const,
+  transform: (code: string, id: string) => (/katex[\w.-]*\.css/.test(id) ? code.replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\(["'](?:woff|truetype)["']\)/g, '') : undefined),
+};
+
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [offline()],
+  plugins: [woff2Only, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, rolldownOptions: { output: { chunkFileNames } } },
+  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined), rolldownOptions: { output: { chunkFileNames } } },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },
   test: {
     include: ['tests/**/*.test.{ts,tsx}'], // tests/e2e holds *.spec.ts, for Playwright

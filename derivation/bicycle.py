@@ -12,9 +12,12 @@ from . import recursion
 from .constraints import Constraints
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import Equations
+from .latex import latex
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation, Row, Term, cross, dot, mark, unit
 from .recursion import Names, Tree
 from .rotations import Frame, rotation
+from .tidy import tidy
 
 q, v = coordinates("x y yaw roll pitch steer rear_spin front_spin")
 x, y, yaw, roll, pitch, steer, rear_spin, front_spin = q
@@ -131,6 +134,67 @@ def rolling(b: Bicycle, tree: Tree) -> Constraints:
     return Constraints("rolling", sp.Matrix.vstack(*[r for r, _ in rows]), sp.Matrix([front.height]), (4,), sp.Matrix([g for _, g in rows]))
 
 
+class PrintedContact:
+    """The rows of one wheel in words of vectors, and entry by entry in the axle's components e1, e2, e3 in heading axes."""
+
+    def __init__(self, b: Bicycle, wheel: Body, axes: Frame, carrier: str, radius: str, letter: str):
+        self.side, self.heading = wheel.name.split("-")[0], b.heading
+        e = axes.relative_to(b.heading) * EY
+        names = sp.symbols([f"e{k}_{letter}" for k in (1, 2, 3)] + [f"s_{letter}"], real=True)
+        short = [value.is_Atom or (-value).is_Atom or value.func in (sp.sin, sp.cos) for value in e]
+        self.e = sp.Matrix([value if plain else name for name, value, plain in zip(names, e, short)])
+        self.s = names[3]
+        self.defined = (*((name, f"e_{letter}{k + 1}", value) for k, (name, value, plain) in enumerate(zip(names, e, short)) if not plain),
+                        (self.s, f"s_{letter}", sp.sqrt(1 - self.e[2] ** 2)))
+        self.marks = {f"axle.{wheel.name}": rf"\mathbf e_{{{letter}}}", f"up.{wheel.name}": rf"\mathbf u_{{{letter}}}",
+                      f"heading.{wheel.name}": rf"\mathbf f_{{{letter}}}", f"contact.{wheel.name}": rf"\dot{{\mathbf c}}_{{{letter}}}"}
+        self.wheel, self.axes, self.radius = wheel, axes, p[radius]
+        self.in_words(carrier)
+
+    def in_words(self, carrier: str):
+        name, axle = self.wheel.name, self.axes.R * EY
+        s = sp.sqrt(1 - axle[2] ** 2)
+        e, u, f, c = (mark(f"{kind}.{name}") for kind in ("axle", "up", "heading", "contact"))
+        root = rf"\sqrt{{1 - ({e} \cdot \mathbf e_z)^2}}"
+        up, forward = (EZ - axle[2] * axle) / s, axle.cross(EZ) / s
+        hub = self.wheel.centre.jacobian(q) * v
+        velocity = hub - self.radius * (self.wheel.frame.R * self.wheel.frame.W * v).cross(up)
+        made = [
+            (e, Term(rf"{mark(f'R.{carrier}')}\, \mathbf e_y", axle), axle),
+            (u, Term(rf"\dfrac{{\mathbf e_z - ({e} \cdot \mathbf e_z)\, {e}}}{{{root}}}", up), up),
+            (f, Term(rf"\dfrac{{{e} \times \mathbf e_z}}{{{root}}}", forward), forward),
+            (c, Term(rf"{mark(f'v.{name}')} - {latex(self.radius)}\, ({mark(f'R.{name}')}\, {mark(f'omega.{name}')}) \times {u}", velocity), velocity),
+        ]
+        self.formulas = tuple((f"{name}.{kind}", left, right, truth) for kind, (left, right, truth) in zip(("axle", "up", "heading", "contact"), made))
+        velocity = Term(c, velocity)
+        self.vanishing = (dot(Term(f, forward), velocity), dot(cross(unit("z"), Term(f, forward)), velocity), dot(unit("z"), velocity))
+
+    def rows(self):
+        """Entry by entry. With f x e = u, e x u = f and g = z x f, a turning w of the wheel's axes moves the contact by
+        f . (w x -r u) = -r e . w, g . (w x -r u) = r (e2 w1 - e1 w2) and z . (w x -r u) = r e3 f . w; spinning, by -r f."""
+        hub, spin = self.wheel.centre, sp.Matrix([self.wheel.frame.angle]).jacobian(q)
+        e, s, r = self.e, self.s, self.radius
+        f, g = sp.Matrix([e[1], -e[0], 0]) / s, sp.Matrix([e[0], e[1], 0]) / s
+        turning = (self.axes.relative_to(self.heading) * self.axes.W).applyfunc(tidy)
+        moving = (self.heading.R.T * hub.base.jacobian(q) + hub.relative_jacobian(q)).applyfunc(tidy)
+        along = (f.T * moving).applyfunc(sp.factor_terms) - r * (e.T * turning + spin)
+        across = (g.T * moving).applyfunc(sp.factor_terms) + r * (e[1] * turning.row(0) - e[0] * turning.row(1))
+        vertical = moving.row(2) + r * e[2] * (f.T * turning)
+        return tuple(Row(f"{self.side}.{title}", vanishes, row) for title, vanishes, row in zip(("along", "across", "vertical"), self.vanishing, (along, across, vertical)))
+
+
+def notation(b: Bicycle) -> Notation:
+    rear_wheel, front_wheel = b.bodies[0], b.bodies[3]
+    rear = PrintedContact(b, rear_wheel, b.frame, "rear-frame", "rearRadius", "R")
+    front = PrintedContact(b, front_wheel, b.fork, "front-frame", "frontRadius", "F")
+    return Notation(
+        "x y ψ φ θ δ θ_R θ_F w c λ g r_R m_R I_Rxx I_Ryy x_B z_B m_B I_Bxx I_Byy I_Bzz I_Bxz x_H z_H m_H I_Hxx I_Hyy I_Hzz I_Hxz r_F m_F I_Fxx I_Fyy",
+        {"rear-wheel": "R", "rear-frame": "B", "front-frame": "H", "front-wheel": "F"}, frames=(("h", b.heading), ("l", b.leaned)),
+        masses=b.bodies, rows={"rolling": (*rear.rows()[:2], *front.rows())}, contacts=(*rear.formulas, *front.formulas),
+        defined=(*rear.defined, *front.defined), marks=rear.marks | front.marks, heights=("z_{F}",),
+    )
+
+
 def model() -> Model:
     b = Bicycle()
     names = Names()
@@ -139,5 +203,5 @@ def model() -> Model:
     return Model(
         id="bicycle", title="the Whipple bicycle", q=q, v=v, parameters=tuple(p.values()),
         equations=Equations(free.M, free.h), kinetic=kinetic(b.bodies, q, v), potential=potential(b.bodies, p["gravity"]),
-        bodies=b.shown(), constraints=(rolling(b, tree),), definitions=tuple(names.definitions),
+        bodies=b.shown(), constraints=(rolling(b, tree),), definitions=tuple(names.definitions), notation=notation(b),
     )

@@ -9,6 +9,7 @@ import sympy as sp
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import from_lagrangian
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation
 from .rotations import Frame
 
 q, v = coordinates("X theta")
@@ -41,4 +42,5 @@ def model() -> Model:
     return Model(
         id="cart-pendulum", title="the pendulum on a cart", q=q, v=v, parameters=tuple(p.values()),
         equations=from_lagrangian(T - V, q, v), kinetic=T, potential=V, bodies=(cart, shown),
+        notation=Notation("X θ m_1 m_2 L g", {"cart": "1", "pendulum": "2"}, masses=(cart, rod)),
     )

@@ -5,6 +5,7 @@ import sympy as sp
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import from_lagrangian
 from .model import Model, coordinates
+from .notation import Notation
 from .ripstik import disc_about_y
 from .rotations import Frame
 
@@ -21,4 +22,5 @@ def model() -> Model:
     return Model(
         id="caster-rotation", title="the turned caster", q=q, v=v, parameters=tuple(p.values()),
         equations=from_lagrangian(T - V, q, v), kinetic=T, potential=V, bodies=(caster,),
+        notation=Notation("θ_c φ c d_c m_c R_w g", {"caster": "c"}),
     )

@@ -12,6 +12,7 @@ from .constraints import rows_only
 from .energy import Body, Point
 from .euler_lagrange import Equations, from_lagrangian
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation, Row, scalar
 from .rotations import Frame
 
 q, v = coordinates("x y theta phi_f phi_r")
@@ -30,9 +31,12 @@ def steer(phi) -> sp.Expr:
     return sp.atan(sp.tan(p["a"]) * sp.sin(phi))
 
 
-def lateral(s, phi) -> sp.Expr:
+# What the page calls the steer of the casters.
+STEERS = tuple(sp.symbols("psi_f psi_r", real=True))
+
+
+def lateral(s, psi) -> sp.Expr:
     """Speed of a caster across its heading."""
-    psi = steer(phi)
     return sp.sin(theta + psi) * v[0] - sp.cos(theta + psi) * v[1] - s * p["l1"] * sp.cos(psi) * v[2]
 
 
@@ -54,6 +58,24 @@ def shown_bodies() -> tuple:
     return (body("body", flat, on_level_ground(x, y, height)), *arms, *wheels)
 
 
+def masses() -> tuple:
+    """Bodies with mass: the board turns about the vertical, the weights are points."""
+    world, flat = Frame.world(q), Frame.world(q).turned("z", theta, q)
+    board = Body("body", flat, Point.fixed(on_level_ground(x, y), flat, sp.zeros(3, 1)), p["m1"], sp.diag(0, 0, p["J"]))
+    points = [Body(f"{name}-weight", world, Point(sp.Matrix([*weight(s, phi), 0]), world, sp.zeros(3, 1)), p["m2"], sp.zeros(3, 3))
+              for name, s, phi in SIDES]
+    return (board, *points)
+
+
+def notation(drag) -> Notation:
+    rows = [lateral(s, psi) for (_, s, _), psi in zip(SIDES, STEERS)]
+    return Notation(
+        "x y θ φ_f φ_r l_1 l_2 m_1 m_2 J a c g", {"body": "1", "front-weight": "f", "rear-weight": "r"}, masses=masses(), losses=drag,
+        letters=tuple((psi, f"ψ_{side}", steer(phi)) for psi, side, (_, _, phi) in zip(STEERS, "fr", SIDES)),
+        rows={"rolling": tuple(Row(f"{name}.lateral", scalar(e), sp.Matrix([e]).jacobian(v)) for e, (name, _, _) in zip(rows, SIDES))},
+    )
+
+
 def model() -> Model:
     T = p["m1"] * (v[0]**2 + v[1]**2) / 2 + p["J"] * v[2]**2 / 2
     for _, s, phi in SIDES:
@@ -65,5 +87,6 @@ def model() -> Model:
     return Model(
         id="casterboard-robot", title="the casterboard robot", q=q, v=v, parameters=tuple(p.values()),
         equations=Equations(equations.M, equations.h + drag), kinetic=T, potential=V, bodies=shown_bodies(),
-        constraints=(rows_only("rolling", [lateral(s, phi) for _, s, phi in SIDES], v),),
+        constraints=(rows_only("rolling", [lateral(s, steer(phi)) for _, s, phi in SIDES], v),),
+        notation=notation(drag),
     )

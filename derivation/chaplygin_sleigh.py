@@ -6,6 +6,7 @@ from .constraints import rows_only
 from .energy import Body, Point, kinetic
 from .euler_lagrange import from_lagrangian
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation
 from .rotations import Frame
 
 q, v = coordinates("x y theta")
@@ -23,4 +24,5 @@ def model() -> Model:
         equations=from_lagrangian(T - V, q, v), kinetic=T, potential=V,
         bodies=(Body("sleigh", frame, blade, body.mass, body.inertia),),
         constraints=(rows_only("rolling", [sp.cos(theta) * v[1] - sp.sin(theta) * v[0]], v),),
+        notation=Notation("x y θ m a I g", {"sleigh": "s"}, masses=(body,), titles={"rolling": ("lateral",)}),
     )

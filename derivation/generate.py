@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from . import typeset
 from .constraints import Constraints
 from .model import Model
 from .tape import Tape, differentiate, record
@@ -19,13 +20,16 @@ def modules(model: Model, source: str) -> dict:
     n = len(model.q)
     header = HEADER.format(title=model.title, source=source)
     equations = [header, *mechanics(model, inputs, n), energy(model, inputs)]
+    if model.rate is None:
+        equations.append(pose_jacobian(model, inputs))
     if model.rate is not None:
         equations += first_order(model, inputs, n)
     for name, force in model.extra_forces:
         equations += extra_force(name, force, model, inputs, n)
     for constraints in model.constraints:
         equations += constraint_set(constraints, model, inputs, n)
-    return {"equations.generated.ts": "\n".join(equations), "poses.generated.ts": "\n".join([header, poses(model, inputs)])}
+    return {"equations.generated.ts": "\n".join(equations), "poses.generated.ts": "\n".join([header, poses(model, inputs)]),
+            "typeset.generated.json": typeset.text(model)}
 
 
 def symmetric_targets(n):
@@ -77,15 +81,23 @@ def energy(model, inputs):
                     {"kinetic": [("out", 0)], "potential": [("out", 1)]}, {"out": 2})
 
 
+def pose_outputs(model):
+    """{position in the array of poses: expression}."""
+    entries = [list(body.centre.position()) + list(body.frame.R) for body in model.bodies]
+    return {12 * b + i: e for b, body in enumerate(entries) for i, e in enumerate(body)}
+
+
 def poses(model, inputs):
-    outputs, targets = {}, {}
-    for b, body in enumerate(model.bodies):
-        entries = list(body.centre.position()) + list(body.frame.R)
-        for i, e in enumerate(entries):
-            outputs[(b, i)] = e
-            targets[(b, i)] = [("out", 12 * b + i)]
+    outputs = pose_outputs(model)
     return function("poses", "Per body: position, then rotation matrix by rows (body to world).", ["q", "p", "out"],
-                    inputs, record(outputs), targets, {"out": 12 * len(model.bodies)})
+                    inputs, record(outputs), {i: [("out", i)] for i in outputs}, {"out": len(outputs)})
+
+
+def pose_jacobian(model, inputs):
+    outputs, n = pose_outputs(model), len(model.q)
+    derived = differentiate(record(outputs), dict(enumerate(model.q)))
+    return function("poseJacobian", f"Derivatives of `poses` by q ({len(outputs)} x {n}).", ["q", "p", "out"], inputs, derived,
+                    {(i, k): [("out", i * n + k)] for i, k in derived.outputs}, {"out": len(outputs) * n})
 
 
 def constraint_set(c: Constraints, model, inputs, n):

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .euler_lagrange import Equations
+from .notation import Notation
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,8 @@ class Model:
     rate: sp.Matrix | None = None
     # Named intermediate results (symbol, expression), in order, that equations and constraints are written in.
     definitions: tuple = field(default_factory=tuple)
+    # How it is set in type.
+    notation: Notation | None = None
 
 
 def coordinates(names: str):

@@ -9,6 +9,7 @@ from .constraints import Constraints, velocity_row
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import Equations
 from .model import Model, coordinates
+from .notation import Notation, Row, Term, dot, mark, unit
 from .recursion import Names, Tree
 from .rotations import Frame
 
@@ -87,7 +88,7 @@ def model() -> Model:
         constraints=(Constraints("rolling", rolling[0], heights, (1, 3), rolling[1]),
                      Constraints("report", report[0], heights, (1, 3), report[1])),
         extra_forces=(("wheelDrag", wheel_drag(skates, described.pitched)),),
-        definitions=tuple(names.definitions),
+        definitions=tuple(names.definitions), notation=notation(described, skates),
     )
 
 
@@ -126,6 +127,46 @@ def outwards(tree, frame, carrier):
     while frame is not carrier:
         axle, frame = tree.names.let("a", tree.up(frame, axle)), frame.parent
     return axle
+
+
+def notation(described, skates) -> Notation:
+    rho_f, rho_b = sp.symbols("rho_f rho_b", real=True)
+
+    def rows(sideways):
+        both = []
+        for side, (point, axle), body in zip(("front", "back"), skates, described.bodies[3:]):
+            velocity = Term(mark(f"v.{body.name}"), point.jacobian(q) * v)
+            direction = axle if sideways is None else described.pitched.R.T * sideways
+            across = Term(rf"{mark(f'R.{body.name}')}\, \mathbf e_y", body.frame.R * AXLE) if sideways is None else unit("y")
+            up = sp.Matrix([0, 0, 1])
+            both.append(Row(f"{side}.lateral", dot(Term(across.latex, across.value, sideways is None), velocity), velocity_row(direction, point, q)))
+            both.append(Row(f"{side}.vertical", dot(unit("z"), velocity), velocity_row(described.pitched.R.T * up, point, q)))
+        return tuple(both)
+
+    return Notation(
+        "X Y Z α ψ θ α_fp α_bp θ_fc θ_bc m_r L_r R_r m_p L_p W_p T_p d_p d_v φ c d_c m_c R_w g k_t c_t c_j c_c c_w",
+        {"rod": "r", "front-plate": "fp", "back-plate": "bp", "front-caster": "fc", "back-caster": "bc"},
+        frames=(("c", described.pitched),), letters=((rho_f, "ρ_f", alpha + alpha_fp), (rho_b, "ρ_b", alpha + alpha_bp)),
+        rows={"rolling": rows(None), "report": rows(AXLE)}, heights=tuple(rf"\mathbf e_z \cdot {mark(f'r.{b.name}')}" for b in described.bodies[3:]), losses=springs_and_losses().subs(p["torsionStiffness"], 0),
+        **printed_drag(described, skates),
+    )
+
+
+def printed_drag(described, skates) -> dict:
+    """The wheel drag with its headings, in words of vectors."""
+    formulas, texts, total = [], [], sp.zeros(10, 1)
+    for sub, (point, axle), body in zip(("fc", "bc"), skates, described.bodies[3:]):
+        e = described.pitched.R * axle
+        heading = sp.Matrix([e[1], -e[0], 0]) / sp.sqrt(e[0] ** 2 + e[1] ** 2)
+        h, r, J = mark(f"e.{body.name}"), mark(f"v.{body.name}"), point.jacobian(q)
+        axle_text = rf"{mark(f'R.{body.name}')}\, \mathbf e_y"
+        across = (body.frame.R * AXLE).cross(sp.Matrix([0, 0, 1]))
+        formulas.append((f"heading.{sub}", h, Term(rf"\dfrac{{({axle_text}) \times \mathbf e_z}}{{|({axle_text}) \times \mathbf e_z|}}", across / sp.sqrt(across.dot(across))), heading))
+        texts.append(rf"\left( \dfrac{{\partial {r}}}{{\partial \dot q}} \right)^{{\mathsf T}} {h} ({h} \cdot {r})")
+        total += J.T * heading * heading.dot(J * v)
+    drag = Term(rf"- {mark('wheelDrag')} \left[ {' + '.join(texts)} \right]", -p["wheelDrag"] * total)
+    formulas.append(("drag", r"Q^{\mathrm{drag}}", drag, wheel_drag(skates, described.pitched)))
+    return {"extra": tuple(formulas), "marks": {f"e.{body.name}": rf"\mathbf e_{{{sub}}}" for sub, body in zip(("fc", "bc"), described.bodies[3:])}}
 
 
 def springs_and_losses() -> sp.Matrix:

@@ -6,6 +6,7 @@ from .constraints import rows_only
 from .energy import Body, Point, kinetic
 from .euler_lagrange import from_lagrangian
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation
 from .rotations import Frame
 
 q, v = coordinates("X Y theta phi")
@@ -27,4 +28,5 @@ def model() -> Model:
     return Model(
         id="rolling-wheel", title="the rolling wheel", q=q, v=v, parameters=tuple(p.values()),
         equations=from_lagrangian(T - V, q, v), kinetic=T, potential=V, bodies=(wheel,), constraints=(rolling,),
+        notation=Notation("X Y θ φ m ρ J_roll J_spin g", {"wheel": "w"}, titles={"rolling": ("slip.x", "slip.y")}),
     )

@@ -4,6 +4,7 @@ import sympy as sp
 
 from .energy import Body, Point
 from .model import Model, coordinates, of_first_order, on_level_ground
+from .notation import Notation
 from .rotations import Frame
 
 q, v = coordinates("y")
@@ -17,4 +18,5 @@ def model() -> Model:
     return Model(
         id="stiff-decay", title="the stiff decay", q=q, v=v, parameters=(rate,), equations=of_first_order(f, q, v),
         kinetic=sp.Integer(0), potential=sp.Integer(0), bodies=(marker,), rate=f,
+        notation=Notation("y k", {"marker": ""}),
     )

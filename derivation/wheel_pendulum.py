@@ -10,6 +10,7 @@ from .constraints import rows_only
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import from_lagrangian
 from .model import Model, coordinates, on_level_ground
+from .notation import Notation
 from .rotations import Frame
 
 q, v = coordinates("X phi psi")
@@ -35,4 +36,5 @@ def model() -> Model:
         id="wheel-pendulum", title="the wheel with a pendulum", q=q, v=v, parameters=tuple(p.values()),
         equations=from_lagrangian(T - V, q, v), kinetic=T, potential=V, bodies=(wheel, shown),
         constraints=(rows_only("rolling", [v[0] - p["rho"] * v[1]], v),),
+        notation=Notation("X φ ψ ρ m m_P J_spin L g", {"wheel": "w", "pendulum": "P"}, masses=(wheel, rod), titles={"rolling": ("rolling",)}),
     )

@@ -1,11 +1,12 @@
 // npm run pictures: draws docs/pictures from the built page, each at a definite time, in a headless browser.
-// With names, only those: npm run pictures -- ridden-light phone-dark
+// With names, only those: npm run pictures -- ridden-light phone-dark; the scenes of the cases: npm run pictures -- cases
 /* global window, document, Event, setTimeout -- functions given to the page run there */
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
 import { Plain, build, built, install, main, root } from './setup.mjs';
+import { casePictures } from './case-pictures.mjs';
 import { smallPng } from './smallPng.mjs';
 
 const DESK = { width: 1440, height: 900 };
@@ -111,7 +112,9 @@ async function take(browser, address, name) {
   return kb < LARGEST_KB;
 }
 
-main(async (names) => {
+main(async (given) => {
+  const ofCases = given[0] === 'cases';
+  const names = ofCases ? [] : given;
   const unknown = names.filter((name) => !(name in PICTURES));
   if (unknown.length) throw new Plain(`There is no picture ${unknown.join(', ')}; right would be ${Object.keys(PICTURES).join(', ')}.`);
   await install();
@@ -128,7 +131,8 @@ main(async (names) => {
   });
   let large = 0;
   try {
-    for (const name of names.length ? names : Object.keys(PICTURES)) large += (await take(browser, `http://127.0.0.1:${port}/`, name)) ? 0 : 1;
+    if (ofCases) await casePictures(browser, `http://127.0.0.1:${port}/`, given.slice(1));
+    else for (const name of names.length ? names : Object.keys(PICTURES)) large += (await take(browser, `http://127.0.0.1:${port}/`, name)) ? 0 : 1;
   } finally {
     await browser.close();
     server.close();

@@ -2,6 +2,7 @@ import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
 import { Comparison } from './app/comparison.ts';
 import { createApp } from './app/store.ts';
+import { Sweep } from './app/sweep.ts';
 import { stageOf } from './app/stage.ts';
 import { prepareVisit } from './app/visit.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
@@ -11,7 +12,9 @@ import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
 
 const runWorker = (): Worker => new Worker(new URL('./worker/run.worker.ts', import.meta.url), { type: 'module' });
-const comparison = new Comparison(runWorker, navigator.hardwareConcurrency || 2);
+const cores = navigator.hardwareConcurrency || 2;
+const comparison = new Comparison(runWorker, cores);
+const sweep = new Sweep(() => new Worker(new URL('./worker/sweep.worker.ts', import.meta.url), { type: 'module' }), cores);
 const app = createApp(
   {
     run: runWorker,
@@ -20,7 +23,10 @@ const app = createApp(
   },
   { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches, roomy: innerWidth >= 1200 },
   comparison,
+  sweep,
 );
+/** For scripts that take pictures, and for whoever opens the console. */
+Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
 const visit = prepareVisit(app, tools.map(({ id }) => id));

@@ -1,9 +1,11 @@
 import { effect, signal, type Signal } from '@preact/signals';
+import { bodyPoint, canPush, firmness, pull } from './app/hand.ts';
+import { ghostsAt } from './app/ghosts.ts';
 import type { Stage } from './app/stage.ts';
 import type { App, Motion } from './app/types.ts';
 import { boardBodies, boardShape, boardStage } from './core/models/board.ts';
 import type { Drawing } from './core/models/drawing.ts';
-import type { MeshPair, SceneView } from './scene/contract.ts';
+import type { MeshPair, SceneOptions, SceneView } from './scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
 export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: Stage, problem: Signal<string | null>): Promise<void> {
@@ -17,6 +19,8 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
       reducedMotion: stillness.matches,
       onContextLost: () => void (problem.value = 'The graphics processor gave up the 3-D view; it comes back by itself. Nothing is lost.'),
       onContextRestored: () => void (problem.value = null),
+      onScale: (pixels) => void (state.look.pixelsPerMetre.value = pixels),
+      ...hand(app),
     });
   } catch (error) {
     problem.value = (error as Error).message;
@@ -26,7 +30,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
   fitToElement(canvas, view);
   stillness.addEventListener('change', () => view.setReducedMotion(stillness.matches));
   effect(() => view.setTheme(state.theme.value));
-  effect(() => view.setSwitches({ trails: state.showTrails.value, forces: state.showForces.value }));
+  connectLook(app, view);
   effect(() => view.setFollow(state.follow.value));
   effect(() => view.setView(state.view.value));
   const dressed = dress(app, view);
@@ -42,7 +46,53 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     if (sampler.behind) requestAnimationFrame(() => void state.rowsVersion.value++);
     view.setTrails(sampler.tracks());
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: state.showForces.value ? sampler.forces(time) : [] });
+    drawPull(app, view, sampler.poses);
   });
+  effect(() => view.setGhosts(dressed.value.system === state.motion.value?.system.meta.id ? ghostsAt(state, stage, state.time.value) : []));
+  effect(() => {
+    void state.grab.value;
+    const sampler = stage.sampler.peek();
+    if (sampler) drawPull(app, view, sampler.poses);
+  });
+}
+
+function connectLook({ state }: App, view: SceneView): void {
+  const { look } = state;
+  effect(() =>
+    view.setSwitches({
+      trails: state.showTrails.value, forces: state.showForces.value, names: look.names.value, frames: look.frames.value,
+      metresPerNewton: look.metresPerNewton.value, level: look.level.value,
+    }),
+  );
+  effect(() => view.setQuality(look.quality.value));
+  effect(() => view.setInset(look.insetBox.value));
+  effect(() => view.setGrabbing(!canPush(state.motion.value) ? 'never' : look.push.value ? 'always' : 'shift'));
+}
+
+/** What the hand in the scene does becomes the state's grab. */
+function hand({ state }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
+  return {
+    onGrab({ body, point, world }) {
+      const motion = state.motion.peek();
+      const id = motion?.system.meta.bodies[body]?.id;
+      if (motion && id !== undefined) state.grab.value = { body: id, point, target: world, ...firmness(motion) };
+    },
+    onPull(target) {
+      const grab = state.grab.peek();
+      if (grab) state.grab.value = { ...grab, target };
+    },
+    onRelease: () => void (state.grab.value = null),
+  };
+}
+
+/** The spring from where the held point is now to the hand. */
+function drawPull({ state }: App, view: SceneView, poses: Float64Array): void {
+  const grab = state.grab.peek();
+  const body = grab ? (state.motion.peek()?.system.meta.bodies.findIndex(({ id }) => id === grab.body) ?? -1) : -1;
+  if (!grab || body < 0) return view.setHandle(null);
+  const from = bodyPoint(poses, body, grab.point);
+  const force = pull(grab, from);
+  view.setHandle({ from, to: grab.target, label: `${force.toFixed(force < 9.95 ? 1 : 0)}\u2009N` });
 }
 
 function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
@@ -72,7 +122,8 @@ function dress(app: App, view: SceneView): Signal<{ system: string | null }> {
         if (now !== turn) return;
         try {
           const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
-          view.setModels(Object.fromEntries(worn) as Record<string, MeshPair>, { id, bodies, fixtures, stage });
+          const named = bodies.map((body) => ({ ...body, label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id }));
+          view.setModels(Object.fromEntries(worn) as Record<string, MeshPair>, { id, bodies: named, fixtures, stage });
           good = own;
           dressed.value = { system: id };
         } catch (error) {

@@ -4,6 +4,7 @@ import type { MethodOptions, Scenario, ScenarioFile } from '../core/scenario/typ
 import type { RunCounts } from '../core/simulation/simulation.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
+import { Pool } from './pool.ts';
 import { RunClient } from './runClient.ts';
 
 /** One method in a comparison: a scenario's `method` with a name of its own. */
@@ -33,15 +34,10 @@ export class Comparison {
   readonly outcomes: Signal<readonly Outcome[]> = signal([]);
   /** Rises when trajectories grow: plots look again. */
   readonly version = signal(0);
-  private readonly create: () => Worker;
-  private readonly cores: number;
-  private clients: RunClient[] = [];
-  private queue: number[] = [];
+  private readonly pool: Pool<RunClient>;
 
   constructor(create: () => Worker, cores: number) {
-    this.create = create;
-    // One core stays with the page, so that it never freezes.
-    this.cores = Math.max(1, cores - 1);
+    this.pool = new Pool(() => new RunClient(create), cores);
   }
 
   get busy(): boolean {
@@ -53,36 +49,26 @@ export class Comparison {
     this.stop();
     checkScenario({ ...file, method: {} }, metas);
     this.outcomes.value = contenders.map((contender) => ({ contender, state: 'waiting', seconds: 0, reached: 0, counts: null, reason: '', message: '', trajectory: null }));
-    this.queue = contenders.map((_, i) => i);
-    for (let k = 0; k < Math.min(this.cores, contenders.length); k++) this.next(new RunClient(this.create), file, metas);
+    this.pool.start(contenders.length, (client, index, done) => this.compute(client, index, file, metas, done));
   }
 
   /** Ends what is under way; what was computed stays. */
   stop(): void {
-    for (const client of this.clients) client.close();
-    this.clients = [];
-    this.queue = [];
+    this.pool.stop();
     this.outcomes.value = this.outcomes.peek().map((o) =>
       o.state === 'waiting' || o.state === 'computing' ? { ...o, state: 'ended', reason: 'cancelled', message: 'cancelled' } : o,
     );
   }
 
-  private next(client: RunClient, file: ScenarioFile, metas: Readonly<Record<string, SystemMeta>>): void {
-    const index = this.queue.shift();
-    if (index === undefined) {
-      client.close();
-      return;
-    }
-    if (!this.clients.includes(client)) this.clients.push(client);
+  private compute(client: RunClient, index: number, file: ScenarioFile, metas: Readonly<Record<string, SystemMeta>>, done: () => void): void {
     const { contender } = this.outcomes.peek()[index]!;
-    const proceed = (): void => this.next(client, file, metas);
     let scenario: Scenario;
     try {
       const { method, outputStep } = contender;
       scenario = checkScenario({ ...file, method, ...(outputStep === undefined ? {} : { outputStep }) }, metas);
     } catch (error) {
       this.update(index, { state: 'refused', message: (error as Error).message });
-      proceed();
+      done();
       return;
     }
     let trajectory: Trajectory | null = null;
@@ -98,11 +84,11 @@ export class Comparison {
       },
       ended: (end, counts, seconds) => {
         this.update(index, { state: 'ended', reached: end.time, reason: end.reason, message: end.message, counts, seconds });
-        proceed();
+        done();
       },
       refused: (_path, message) => {
         this.update(index, { state: 'refused', message });
-        proceed();
+        done();
       },
     });
   }

@@ -17,6 +17,9 @@ export interface PlaybackRange {
   growing(): boolean;
 }
 
+/** What a person can choose, from slow motion to fast. */
+export const speeds: readonly number[] = [1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4];
+
 /** A tab that slept wakes with one long frame; it goes on from where it was instead of jumping ahead. */
 const LONGEST_FRAME_S = 0.25;
 /** Over how long the speed that is really held is measured. */

@@ -1,11 +1,14 @@
 import type { StartAdjustment } from '../core/dynamics/consistentStart.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import type { Continuation, RunCounts, RunEnd } from '../core/simulation/simulation.ts';
-import type { FromWorker, ToWorker } from '../worker/protocol.ts';
+import type { PushRecord } from '../core/simulation/push.ts';
+import type { FromWorker, Live, ToWorker } from '../worker/protocol.ts';
 
 export interface RunHandlers {
   started(columns: string[], adjustments: StartAdjustment[], notes: string[]): void;
   rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts, seconds: number): void;
+  /** A hand acts from then on, or lets go. */
+  pushed?(record: PushRecord): void;
   ended(end: RunEnd, counts: RunCounts, seconds: number): void;
   refused(path: string, message: string): void;
 }
@@ -24,11 +27,19 @@ export class RunClient {
     this.create = create;
   }
 
-  /** @param from a row to go on from, in place of a start at t = 0 */
-  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation): void {
+  /**
+   * @param from a row to go on from, in place of a start at t = 0
+   * @param live what a hand does to it from the start; without it nothing can be done by hand
+   */
+  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation, live?: Live): void {
     this.handlers = handlers;
     this.run++;
-    this.send({ type: 'start', run: this.run, scenario, from });
+    this.send({ type: 'start', run: this.run, scenario, from, live });
+  }
+
+  /** What a hand does to the current run. */
+  act(live: Live): void {
+    if (this.handlers) this.send({ type: 'push', run: this.run, live });
   }
 
   /** Asks the current run to stop; its `ended` follows with reason `cancelled`. A worker that does not answer is ended. */
@@ -87,6 +98,8 @@ export class RunClient {
         return handlers.started(message.columns, message.adjustments, message.notes);
       case 'rows':
         return handlers.rows(message.columns, message.rows, message.time, message.counts, message.seconds);
+      case 'pushed':
+        return handlers.pushed?.(message.record);
       case 'ended':
         this.handlers = null;
         return handlers.ended(message.end, message.counts, message.seconds);

@@ -1,16 +1,21 @@
+import { batch } from '@preact/signals';
 import { checkScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { Continuation, RunCounts } from '../core/simulation/simulation.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { Push } from '../core/simulation/push.ts';
+import { followGrab, horizonOf, PUSHED, pushesUpTo, withMark } from './pushing.ts';
 import type { Messages } from './messages.ts';
 import type { RunClient } from './runClient.ts';
-import type { AppState, Motion } from './types.ts';
+import type { AppState, Motion, RunState, RunStatistics } from './types.ts';
 
 /** A mark where the controller was changed under way; one that follows sooner than this (s) takes the place of the last. */
 const RETUNED = 'retuned';
 const MARKS_APART = 0.25;
+/** A run that is grabbed goes on for at least this long, s. */
+const LEFT_S = 5;
 
 /** Starts runs and turns what the worker sends into the motion being watched. */
 export class Runs {
@@ -31,6 +36,7 @@ export class Runs {
     this.messages = messages;
     this.metas = metas;
     this.settle = settle;
+    followGrab(state, { takeOver: (push) => this.takeOver(push), act: (live) => client.act(live) });
   }
 
   /** Puts another motion (a file) in place; a run still computing is abandoned. */
@@ -45,6 +51,21 @@ export class Runs {
     this.settle();
     state.rowsVersion.value++;
     state.playing.value = true;
+  }
+
+  /** Puts a motion back that was on the stage before, paused where it was. */
+  restore(motion: Motion, run: RunState | null, statistics: RunStatistics | null, time: number): void {
+    this.client.abandon();
+    const { state } = this;
+    batch(() => {
+      state.playing.value = false;
+      state.run.value = run;
+      state.statistics.value = statistics;
+      state.motion.value = motion;
+      state.time.value = time;
+      state.rowsVersion.value++;
+    });
+    this.settle();
   }
 
   /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
@@ -75,7 +96,27 @@ export class Runs {
     const time = before.trajectory.column('t')![row]!;
     if (row === 0 || time >= scenario.duration - scenario.outputStep || (state.run.peek()?.kind === 'ended' && row >= before.trajectory.length - 2)) return this.run();
     this.going = true;
-    this.start(scenario, draft, { before, row, time }, state.playing.peek());
+    this.start(scenario, draft, { before, row, time, mark: RETUNED }, state.playing.peek());
+  }
+
+  /** The run on the stage goes on from where it is played with a hand on it, and plays. */
+  private takeOver(push: Push): boolean {
+    const { state } = this;
+    const before = state.motion.peek();
+    if (!before?.scenario || before.source !== 'run' || before.system.meta.order === 1 || before.trajectory.length < 2) return false;
+    const { trajectory } = before;
+    const run = state.run.peek();
+    const row = state.time.peek() >= trajectory.end ? trajectory.length - 1 : trajectory.locate(state.time.peek());
+    const time = trajectory.column('t')![row]!;
+    if (run?.kind === 'ended' && !['end', 'cancelled'].includes(run.reason) && row >= trajectory.length - 2) {
+      this.messages.add('info', 'This run is over', ['Go back to an earlier moment, then drag.']);
+      return false;
+    }
+    const scenario = { ...before.scenario, duration: Math.max(before.scenario.duration, time + LEFT_S) };
+    this.going = this.stale = false;
+    this.start(scenario, before.written ?? state.draft.peek(), { before, row, time, mark: PUSHED, push }, true);
+    state.playing.value = true;
+    return true;
   }
 
   private checked(draft: ScenarioFile): Scenario | null {
@@ -91,7 +132,9 @@ export class Runs {
   private start(scenario: Scenario, draft: ScenarioFile, onward: Onward | null, autoplay: boolean): void {
     const { state, messages } = this;
     const origin = state.origin.peek();
-    const title = origin.scenario === draft ? origin.title : `${origin.title}, changed`;
+    const push = onward?.push ?? this.state.grab.peek();
+    const title = onward?.push ? onward.before.title : origin.scenario === draft ? origin.title : `${origin.title}, changed`;
+    const pushes = onward ? pushesUpTo(onward.before, onward.time) : [];
     let motion: Motion | null = null;
     const run = state.run.peek();
     // From now on what the page says of a run is said of this one.
@@ -110,7 +153,8 @@ export class Runs {
           written: draft,
           adjustments: onward?.before.adjustments ?? adjustments,
           issues: [],
-          marks: onward ? retunedMarks(onward) : [],
+          marks: onward ? marksOf(onward) : [],
+          pushes,
           judgement: null,
         };
         if (notes.length > 0) messages.add('info', 'About the start', notes);
@@ -122,6 +166,14 @@ export class Runs {
         this.count(counts);
         if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
         this.wentOn();
+      },
+      pushed: (record) => {
+        const marks = withMark(motion!.marks, pushes, record);
+        pushes.push(record);
+        if (marks === motion!.marks) return;
+        const marked: Motion = { ...motion!, marks };
+        if (state.motion.peek() === motion) state.motion.value = marked;
+        motion = marked;
       },
       ended: (end, counts) => {
         this.count(counts);
@@ -136,7 +188,7 @@ export class Runs {
         else state.run.value = run?.kind === 'ended' ? run : null;
         this.wentOn();
       },
-    }, onward ? continuationOf(onward, scenario) : undefined);
+    }, onward ? continuationOf(onward, scenario) : undefined, push ? { push, horizon: horizonOf(state) } : undefined);
   }
 
   /** The first answer of a run that goes on is there; what changed meanwhile is taken up now. */
@@ -167,6 +219,9 @@ interface Onward {
   before: Motion;
   row: number;
   time: number;
+  /** Name of what happens there. */
+  mark: string;
+  push?: Push;
 }
 
 /** The same equations of motion, rows and times: only what acts on them may differ. */
@@ -189,7 +244,8 @@ function firstRows({ before: { trajectory }, row }: Onward, columns: readonly st
   return kept;
 }
 
-function retunedMarks({ before, time }: Onward): Motion['marks'] {
-  const earlier = before.marks.filter((m) => m.time <= time && !(m.name === RETUNED && time - m.time < MARKS_APART));
-  return [...earlier, { time, name: RETUNED }];
+/** The marks before, one where the controller was changed; a push marks itself when it acts. */
+function marksOf({ before, time, mark }: Onward): Motion['marks'] {
+  const earlier = before.marks.filter((m) => m.time <= time && !(m.name === mark && time - m.time < MARKS_APART));
+  return mark === PUSHED ? earlier : [...earlier, { time, name: mark }];
 }

@@ -1,13 +1,16 @@
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { MotionSampler } from '../core/trajectory/motionSampler.ts';
-import type { App } from './types.ts';
+import type { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { App, Motion } from './types.ts';
 
 /** What is on the stage at the playback time: the sampler of the motion being watched, and words for it. */
 export interface Stage {
   sampler: ReadonlySignal<MotionSampler | null>;
   /** A text alternative for the scene, renewed at most once a second. */
   description: ReadonlySignal<string>;
+  /** The sampler of any motion: the same one as long as its rows are, so that its paths are followed once. */
+  samplerOf(motion: Motion): MotionSampler;
 }
 
 const DEGREE = Math.PI / 180;
@@ -29,15 +32,16 @@ function inWords(meta: SystemMeta, t: number, at: (name: string) => number): str
 
 export function stageOf(app: App): Stage {
   const { state } = app;
-  // A motion keeps its sampler when only its marks change.
-  let last: { id: number; sampler: MotionSampler } | null = null;
+  // A motion keeps its sampler when only its marks change, and when it leaves the stage and is kept.
+  const samplers = new WeakMap<Trajectory, MotionSampler>();
+  const samplerOf = ({ system, parameters, trajectory, constraints }: Motion): MotionSampler => {
+    const found = samplers.get(trajectory) ?? new MotionSampler(system, parameters, trajectory, constraints);
+    samplers.set(trajectory, found);
+    return found;
+  };
   const sampler = computed(() => {
     const motion = state.motion.value;
-    if (!motion) return null;
-    if (last?.id !== motion.id) {
-      last = { id: motion.id, sampler: new MotionSampler(motion.system, motion.parameters, motion.trajectory, motion.constraints) };
-    }
-    return last.sampler;
+    return motion && samplerOf(motion);
   });
   const description = signal('The scene is empty.');
   const describe = (): void => {
@@ -50,5 +54,5 @@ export function stageOf(app: App): Stage {
     if (text !== description.peek()) description.value = text;
   };
   setInterval(describe, 1000);
-  return { sampler, description };
+  return { sampler, description, samplerOf };
 }

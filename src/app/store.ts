@@ -1,20 +1,25 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
-import { hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
-import type { ScenarioFile } from '../core/scenario/types.ts';
+import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
 import type { Comparison } from './comparison.ts';
 import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
+import { pushComments } from './pushing.ts';
+import { Kept } from './kept.ts';
 import { LocusClient } from './locusClient.ts';
+import { initialLook } from './look.ts';
 import { Messages } from './messages.ts';
-import { runPlaybackClock } from './playbackClock.ts';
+import { ModeStage } from './modes.ts';
+import { runPlaybackClock, speeds } from './playbackClock.ts';
 import { RunClient } from './runClient.ts';
 import { Runs } from './runs.ts';
 import { samples } from './samples.ts';
+import type { Sweep } from './sweep.ts';
 import type { App, AppActions, AppState, CaseInfo } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
@@ -35,12 +40,13 @@ export interface Preferences {
 }
 
 /** The application: state as signals, and the only code that changes it. */
-export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison): App {
+export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison, sweep: Sweep): App {
   const state = initialState(preferences);
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
   const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
+  const modes = new ModeStage(state, runs, systemViews, systemMetas);
   keepDrafts(state);
   const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
   runPlaybackClock(state, {
@@ -61,6 +67,13 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       batch(() => {
         state.origin.value = found;
         state.draft.value = found.scenario;
+      });
+      runs.run();
+    },
+    loadScenario(scenario, title) {
+      batch(() => {
+        state.origin.value = { id: '', title, summary: '', scenario };
+        state.draft.value = scenario;
       });
       runs.run();
     },
@@ -95,6 +108,15 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     stepRows: (rows) => stepRows(state, rows),
     dismiss: (id) => messages.dismiss(id),
     compare: (contenders, scenario) => comparison.start(scenario ?? state.draft.peek(), contenders, systemMetas),
+    showMode(mode, growth) {
+      try {
+        modes.show(mode, growth, speeds);
+      } catch (error) {
+        if (!(error instanceof ScenarioError)) throw error;
+        messages.add('error', 'The mode cannot be shown', [error.message]);
+      }
+    },
+    leaveMode: () => modes.back(),
     report: (kind, title, details, action) => messages.add(kind, title, details, action),
   };
   return {
@@ -105,12 +127,14 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
     comparison,
+    kept: new Kept(state, messages),
+    sweep,
     control: new ControlClient(() => workers.control(), systemMetas),
     locus: new LocusClient(() => workers.control(), systemMetas),
   };
 }
 
-const caseInfos: readonly CaseInfo[] = cases.map(({ id, title, look, scenario }) => ({ id, title, summary: look, scenario }));
+const caseInfos: readonly CaseInfo[] = cases.map(({ id, title, look, scenario, source, figure, chapter, picture }) => ({ id, title, summary: look, scenario, source, figure, chapter, picture }));
 
 /** A system nobody has made a case for starts with everything at its default. */
 const blank = (id: string): CaseInfo => ({ id: '', title: systemMetas[id]!.title, summary: '', scenario: { version: 1, system: id } });
@@ -132,6 +156,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     draftErrors: computed(() => collectScenarioErrors(draft.value, systemMetas)),
     motion: signal(null),
     rowsVersion: signal(0),
+    kept: signal([]),
     run: signal(null),
     statistics: signal(null),
     time: signal(0),
@@ -139,10 +164,13 @@ function initialState({ dark, roomy }: Preferences): AppState {
     speed: signal(1),
     heldSpeed: signal(null),
     loop: signal(false),
+    grab: signal(null),
+    aside: signal(null),
     view: signal('orbit'),
     follow: signal(true),
     showTrails: signal(true),
     showForces: signal(false),
+    look: initialLook(),
     theme: signal(dark ? 'dark' : 'light'),
     plots: signal({ own: null, degrees: true, wrapped: false }),
     tool: signal(roomy ? 'now' : null),
@@ -155,10 +183,10 @@ function initialState({ dark, roomy }: Preferences): AppState {
   };
 }
 
-/** A close-up of what another system has not is no view. */
-function settleView(state: AppState): void {
-  const motion = state.motion.peek();
-  if (motion && state.view.peek() === 'caster' && !hasCloseUp(motion.system.meta.id)) state.view.value = 'orbit';
+/** A look that another system does not offer is no view. */
+function settleView({ motion, view }: AppState): void {
+  const id = motion.peek()?.system.meta.id;
+  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id)))) view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {
@@ -194,7 +222,7 @@ async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): P
   }
   const { trajectory } = motion;
   const columns = [...trajectory.columns];
-  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`] : [];
+  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)] : [];
   const text = await csv.write(columns, columns.map((name) => trajectory.column(name)!.slice()), comments);
   download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, [text], 'text/csv');
 }

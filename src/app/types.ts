@@ -1,9 +1,15 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './comparison.ts';
+import type { Kept, KeptRun } from './kept.ts';
 import type { ControlClient } from './controlClient.ts';
 import type { LocusClient } from './locusClient.ts';
+import type { Case } from '../core/cases/case.ts';
+import type { Look } from './look.ts';
+import type { Aside, ModeRequest } from './modes.ts';
+import type { Sweep } from './sweep.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
+import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
 import type { Trajectory } from '../core/trajectory/trajectory.ts';
 
@@ -40,10 +46,11 @@ export interface FileIssue {
   message: string;
 }
 
-/** Something that can be watched: a live run or a loaded file. */
+/** Something that can be watched: a live run, a loaded file, a mode. */
 export interface Motion {
   id: number;
-  source: 'run' | 'file';
+  /** A mode is an eigenvector shown as motion: no solution of the equations, and not a file's. */
+  source: 'run' | 'file' | 'mode';
   title: string;
   system: SystemView;
   /** Parameters the bodies are drawn with. */
@@ -58,6 +65,8 @@ export interface Motion {
   issues: readonly FileIssue[];
   /** Event marks on the time line. */
   marks: readonly { time: number; name: string }[];
+  /** What a hand did to the run: with it, and only with it, the scenario can be run again. */
+  pushes?: readonly PushRecord[];
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
   judgement: { energyDrift: number; residual: number } | null;
 }
@@ -103,7 +112,7 @@ export interface PlotsState {
   wrapped: boolean;
 }
 
-export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
 
 export interface AppState {
   // --- the experiment being edited
@@ -120,6 +129,8 @@ export interface AppState {
   rowsVersion: Signal<number>;
   run: Signal<RunState | null>;
   statistics: Signal<RunStatistics | null>;
+  /** Runs and files that stay, beside the motion. */
+  kept: Signal<readonly KeptRun[]>;
   // --- playback
   time: Signal<number>;
   playing: Signal<boolean>;
@@ -127,11 +138,16 @@ export interface AppState {
   /** The speed really held over the last second, or null when not playing. */
   heldSpeed: Signal<number | null>;
   loop: Signal<boolean>;
+  /** What the person drags in the scene, or null. */
+  grab: Signal<Push | null>;
+  /** While a mode is on the stage: which, and what it stands in for. */
+  aside: Signal<Aside | null>;
   // --- view switches
   view: Signal<ViewName>;
   follow: Signal<boolean>;
   showTrails: Signal<boolean>;
   showForces: Signal<boolean>;
+  look: Look;
   theme: Signal<'light' | 'dark'>;
   plots: Signal<PlotsState>;
   /** Which tool is open beside the scene, by id; null when none is. */
@@ -159,6 +175,8 @@ export interface AppActions {
   /** Back to the case the draft came from. */
   reset(): void;
   loadCase(id: string): void;
+  /** Puts a scenario into the panel, under a title, and runs it. */
+  loadScenario(scenario: ScenarioFile, title: string): void;
   /** To another system: back to the draft that was left there, else to its first case. */
   chooseSystem(id: string): void;
   openFiles(files: readonly File[]): void;
@@ -183,6 +201,10 @@ export interface AppActions {
   /** Runs the draft with each of these methods. @throws ScenarioError when the draft itself can't run */
   /** Of the scenario in the panel, unless another is given. */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
+  /** Puts a mode on the stage, growing as it does or by its shape alone. */
+  showMode(mode: ModeRequest, growth: boolean): void;
+  /** From a mode back to what was on the stage before. */
+  leaveMode(): void;
   /** Tells the person something that happened outside the store. */
   report(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void;
 }
@@ -193,6 +215,12 @@ export interface CaseInfo {
   /** One line: what to look at. */
   summary: string;
   scenario: ScenarioFile;
+  /** Where it comes from: figure and section of the report, or a paper. */
+  source?: string | undefined;
+  figure?: string | undefined;
+  chapter?: string | undefined;
+  /** Where its picture is taken. */
+  picture?: Case['picture'] | undefined;
 }
 
 export interface SampleInfo {
@@ -213,4 +241,6 @@ export interface App {
   control: ControlClient;
   locus: LocusClient;
   comparison: Comparison;
+  kept: Kept;
+  sweep: Sweep;
 }

@@ -45,7 +45,18 @@ interface Drawn {
   box: Box3;
 }
 
+/** Puts a group where pose `index` says; false when there is none. */
+export function setPose(root: GroupType, poses: Float64Array, index: number): boolean {
+  if (poses.length < 12 * (index + 1)) return false;
+  const p = poses.subarray(12 * index, 12 * index + 12) as unknown as Row;
+  root.matrix.set(p[3], p[4], p[5], p[0], p[6], p[7], p[8], p[1], p[9], p[10], p[11], p[2], 0, 0, 0, 1);
+  root.matrixWorldNeedsUpdate = true;
+  return true;
+}
+
 export class Bodies {
+  /** Rises whenever a mesh is replaced. */
+  version = 0;
   private readonly scene: Scene;
   private drawn: Drawn[] = [];
   /** What stands still, in world axes. */
@@ -78,6 +89,7 @@ export class Bodies {
     this.drawn = next;
     this.fixtures = still;
     for (const body of [...next, ...still]) this.add(body);
+    this.version++;
     this.arrange();
   }
 
@@ -94,6 +106,7 @@ export class Bodies {
       this.drawn[i] = next[k]!;
       this.add(next[k]!);
     });
+    this.version++;
     this.arrange();
   }
 
@@ -120,6 +133,11 @@ export class Bodies {
 
   matrix(index: number): Matrix4 | null {
     return this.has(index) ? this.drawn[index]!.root.matrix : null;
+  }
+
+  /** Of a body's frame in world axes (m), or null. */
+  originOf(index: number): Vector3 | null {
+    return this.has(index) ? new Vector3().setFromMatrixPosition(this.drawn[index]!.root.matrix) : null;
   }
 
   /** The eight corners of the body's bounds, in world axes (m). */
@@ -163,6 +181,7 @@ export class Bodies {
     if (model.spin && spinning.length > 0) {
       const hub = new Vector3(...model.spin.hub);
       wheel = new Group();
+      wheel.userData['wheel'] = true;
       wheel.position.copy(hub);
       for (const child of spinning) {
         child.position.sub(hub);
@@ -174,14 +193,26 @@ export class Bodies {
     return { model, root, wheel, surfaces, box };
   }
 
+  /** The bodies' groups, in their order: a clone shares their geometry. */
+  roots(): GroupType[] {
+    return this.drawn.map(({ root }) => root);
+  }
+
+  modelOf(index: number): BodyModel | null {
+    return this.drawn[index]?.model ?? null;
+  }
+
+  /** Whether a body is seen now. */
+  shows(index: number): boolean {
+    return this.drawn[index]?.root.visible ?? false;
+  }
+
   /** Puts what is drawn where the last poses say. */
   private arrange(): void {
     this.drawn.forEach((body, i) => {
       this.show(i);
       if (!this.has(i)) return;
-      const p = this.poses!.subarray(12 * i, 12 * i + 12) as unknown as Row;
-      body.root.matrix.set(p[3], p[4], p[5], p[0], p[6], p[7], p[8], p[1], p[9], p[10], p[11], p[2], 0, 0, 0, 1);
-      body.root.matrixWorldNeedsUpdate = true;
+      setPose(body.root, this.poses!, i);
       if (body.wheel) body.wheel.rotation.y = this.angles[body.model.spin!.contact] ?? 0;
     });
   }

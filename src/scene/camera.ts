@@ -1,10 +1,12 @@
 /** The camera, the hand that turns it, and following the board. */
 import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { RIDER_FIELD, type RiderPlace } from './rider.ts';
 import { FIELD_OF_VIEW, type Triple } from './views.ts';
 
 /** Length of a change of view (ms). */
 const GLIDE = 160;
+const DEGREES = 180 / Math.PI;
 
 export class CameraRig {
   readonly camera: PerspectiveCamera;
@@ -18,7 +20,7 @@ export class CameraRig {
   private quiet = false;
 
   constructor(canvas: HTMLCanvasElement, reducedMotion: boolean, requestRender: () => void) {
-    this.camera = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI, 1, 0.02, 100);
+    this.camera = new PerspectiveCamera(DEGREES * FIELD_OF_VIEW, 1, 0.02, 100);
     this.camera.up.set(0, 0, 1); // before the controls, which read it once
     this.camera.position.set(1, -1.6, 1);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -49,6 +51,11 @@ export class CameraRig {
     return this.camera.position.distanceTo(this.controls.target);
   }
 
+  /** Height of the picture at a metre's distance (m). */
+  get spread(): number {
+    return 2 * Math.tan(this.camera.fov / DEGREES / 2);
+  }
+
   setReducedMotion(reduced: boolean): void {
     this.still = reduced;
     this.controls.enableDamping = !reduced;
@@ -69,6 +76,30 @@ export class CameraRig {
       this.glide = { began: null, from: { camera: this.camera.position.clone(), target: this.target.clone() }, to };
     }
     this.requestRender();
+  }
+
+  /** Sits on the subject: the hand does not turn it there. Null gets off; `go` then says where to. */
+  ride(place: RiderPlace | null): void {
+    const { camera, controls } = this;
+    if (!place && controls.enabled) return;
+    camera.fov = DEGREES * (place ? RIDER_FIELD : FIELD_OF_VIEW);
+    controls.enabled = place === null;
+    camera.up.set(...(place?.up ?? ([0, 0, 1] as const)));
+    if (place) {
+      this.glide = null;
+      this.settling = false;
+      camera.position.set(...place.eye);
+      controls.target.set(...place.target);
+      camera.lookAt(controls.target);
+    }
+    camera.updateProjectionMatrix();
+  }
+
+  /** Comes nearer or goes farther by a factor, the way it looks. */
+  dolly(factor: number): void {
+    const stand = (place: Placement): Vector3 => place.camera.sub(place.target).multiplyScalar(factor).add(place.target);
+    if (this.glide) for (const place of [this.glide.from, this.glide.to]) stand(place);
+    this.put(stand({ camera: this.camera.position.clone(), target: this.target }), this.target.clone());
   }
 
   /** Moves camera and target together (m), also what a change of view is heading for. */

@@ -7,6 +7,8 @@ export interface BodyPart {
 /** A body and the name of the mesh pair that draws it. */
 export interface BodyModel extends BodyPart {
   model: string;
+  /** Its plain name; the id without one. */
+  label?: string;
   /** The mesh's group `wheel` turns about y through `hub` (m, in the body's frame) by this one of the frame's wheel angles. */
   spin?: { hub: readonly [number, number, number]; contact: number };
 }
@@ -64,7 +66,55 @@ export interface MeshPair {
   mat: string;
 }
 
-export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster';
+export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
+
+/** Another motion of the same cast, drawn translucent and without a shadow. */
+export interface Ghost {
+  /** Stays the same from frame to frame. */
+  id: string;
+  /** A word that floats over it; none when empty. */
+  label: string;
+  /** CSS colour. */
+  tint: string;
+  /** As a frame's; read at once and not kept. */
+  poses: Float64Array;
+  wheelAngles: Float64Array;
+}
+
+type Point = readonly [number, number, number];
+
+/** A place on a body. */
+export interface Pick {
+  /** Index in the cast. */
+  body: number;
+  /** In the body's frame, m. */
+  point: [number, number, number];
+  /** In the world, m. */
+  world: [number, number, number];
+}
+
+/** The spring being pulled, in the world (m), and the words at its end. */
+export interface Handle {
+  from: Point;
+  to: Point;
+  label: string;
+}
+
+export interface Switches {
+  trails: boolean;
+  forces: boolean;
+  /** Names of the bodies. */
+  names: boolean;
+  /** Axes at the bodies' origins. */
+  frames: boolean;
+  /** Metres of arrow per newton. */
+  metresPerNewton: number;
+  /** In the rider's view the horizon stays level; else it leans with the subject. */
+  level: boolean;
+}
+
+/** When pressing on a body grabs it: never, with Shift, always. */
+export type Grabbing = 'never' | 'shift' | 'always';
 
 /** `high` and `low` are orders; `auto` leaves out what a software renderer or a slow device cannot afford. */
 export type Quality = 'low' | 'high' | 'auto';
@@ -77,6 +127,12 @@ export interface SceneOptions {
   onFirstFrame?: () => void;
   onContextLost?: () => void;
   onContextRestored?: () => void;
+  /** A body was taken hold of; where the hand is then, and with every move of hand or camera; and that it let go. */
+  onGrab?: (at: Pick) => void;
+  onPull?: (target: Point) => void;
+  onRelease?: () => void;
+  /** CSS pixels per metre at what is looked at, when that has changed. */
+  onScale?: (pixelsPerMetre: number) => void;
 }
 
 /** In CSS pixels from the canvas's top left corner. */
@@ -96,9 +152,21 @@ export interface SceneView {
   setFrame(frame: Frame | null): void;
   /** Tracks so far; call again when they have grown or changed. Drawn up to the frame's time. */
   setTrails(trails: readonly Trail[]): void;
+  /** All ghosts there are now; the same cast as the bodies'. Poses are read at once and not kept. */
+  setGhosts(ghosts: readonly Ghost[]): void;
   setView(name: ViewName): void;
   setFollow(follow: boolean): void;
-  setSwitches(switches: { trails: boolean; forces: boolean }): void;
+  setSwitches(switches: Partial<Switches>): void;
+  setQuality(quality: Quality): void;
+  /** A second look, at the close-up's body, within this box; null without. Nothing on a stage without a close-up. */
+  setInset(box: ScreenBox | null): void;
+  setGrabbing(when: Grabbing): void;
+  /** Draws the pull of a hand, or nothing. */
+  setHandle(handle: Handle | null): void;
+  /** The first body under a place in CSS pixels from the canvas's top left corner, or within `reach` of it; null where there is none. */
+  pick(x: number, y: number, reach?: number): Pick | null;
+  /** Where a world point (m) is on the screen, CSS pixels from the canvas's top left corner; null behind the camera. */
+  project(world: Point): { x: number; y: number } | null;
   setTheme(theme: 'light' | 'dark'): void;
   setReducedMotion(reduced: boolean): void;
   /** CSS pixels and device pixels per CSS pixel. */

@@ -26,3 +26,17 @@ export function whenIdle(work: () => void): number {
   if (typeof requestIdleCallback === 'function') return requestIdleCallback(work, { timeout: 2000 });
   return window.setTimeout(work, 300);
 }
+
+/** Tells when the canvas loses its context and gets it back; what it returns stops that. */
+export function watchContext(canvas: HTMLCanvasElement, lost: () => void, restored: () => void): () => void {
+  const leave = (event: Event): void => {
+    event.preventDefault(); // without it the browser never gives the context back
+    lost();
+  };
+  canvas.addEventListener('webglcontextlost', leave);
+  canvas.addEventListener('webglcontextrestored', restored);
+  return () => {
+    canvas.removeEventListener('webglcontextlost', leave);
+    canvas.removeEventListener('webglcontextrestored', restored);
+  };
+}

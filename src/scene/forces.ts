@@ -3,7 +3,7 @@ import { type Scene, ConeGeometry, Color, CylinderGeometry, InstancedMesh, Matri
 import type { Frame } from './contract.ts';
 import type { Palette } from './palette.ts';
 
-/** Metres of arrow per newton, the same in every picture so that arrows can be compared. */
+/** Metres of arrow per newton unless another scale is chosen: the same in every picture, so that arrows can be compared. */
 export const METRES_PER_NEWTON = 0.01;
 /** Longest arrow (m): a force beyond it is shown at this length. */
 export const LONGEST = 0.6;
@@ -13,8 +13,8 @@ const MOST = 8;
 const RADIUS = { lateral: 0.0025, vertical: 0.005 } as const;
 
 /** Length (m) of the arrow for a force (N): proportional, then clamped. */
-export function arrowLength(newtons: number): number {
-  return newtons < LEAST ? 0 : Math.min(newtons * METRES_PER_NEWTON, LONGEST);
+export function arrowLength(newtons: number, metresPerNewton = METRES_PER_NEWTON): number {
+  return newtons < LEAST ? 0 : Math.min(newtons * metresPerNewton, LONGEST);
 }
 
 export class Forces {
@@ -49,12 +49,12 @@ export class Forces {
     }
   }
 
-  set(forces: Frame['forces'], visible: boolean): void {
+  set(forces: Frame['forces'], visible: boolean, metresPerNewton = METRES_PER_NEWTON): void {
     let n = 0;
     this.shown = [];
     for (const force of visible ? forces : []) {
       const newtons = Math.hypot(...force.vector);
-      const length = arrowLength(newtons);
+      const length = arrowLength(newtons, metresPerNewton);
       if (n === MOST || !(length > 0)) continue;
       this.place(n++, force, length, newtons);
       this.shown.push(force.part);

@@ -1,7 +1,7 @@
 /** Metre labels on the ground's strong lines: along x and along y through the crossing nearest to what is looked at. */
 import { type Scene, type Vector3, CanvasTexture, LinearFilter, Sprite, SpriteMaterial, SRGBColorSpace, Vector2 } from 'three';
 import type { Palette } from './palette.ts';
-import { FIELD_OF_VIEW } from './views.ts';
+import { MARKS, type PixelSize } from './words.ts';
 
 /** Labels to either side of the crossing. */
 const SIDE = 4;
@@ -40,6 +40,7 @@ export class Labels {
     for (let i = 0; i < 2 * (2 * SIDE + 1); i++) {
       const sprite = new Sprite(new SpriteMaterial({ sizeAttenuation: false, depthWrite: false, transparent: true, toneMapped: false }));
       sprite.renderOrder = -8;
+      sprite.layers.set(MARKS);
       sprite.center = new Vector2(0, 1.05);
       this.sprites.push(sprite);
     }
@@ -59,12 +60,12 @@ export class Labels {
     this.shown = '';
   }
 
-  /** Viewport height in CSS pixels: labels keep their size on the screen. */
-  resize(height: number, devicePixelRatio: number): void {
-    const scale = (2 * Math.tan(FIELD_OF_VIEW / 2) * HEIGHT) / Math.max(height, 1);
+  /** Labels keep their size on the screen. */
+  resize({ perPixel, ratio }: PixelSize): void {
+    const scale = perPixel * HEIGHT;
     for (const sprite of this.sprites) sprite.scale.set(ASPECT * scale, scale, 1);
-    if (this.ratio === devicePixelRatio) return;
-    this.ratio = devicePixelRatio;
+    if (this.ratio === ratio) return;
+    this.ratio = ratio;
     this.forget();
   }
 

@@ -16,6 +16,8 @@ export interface Palette {
   gridFine: string;
   gridStrong: string;
   label: string;
+  /** What the person does: the page's one colour for action. */
+  accent: string;
   /** Hemisphere light, from above and from below. */
   sky: string;
   bounce: string;
@@ -32,6 +34,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
     gridFine: '#d9dee3',
     gridStrong: '#aeb7c0',
     label: '#5b6670',
+    accent: '#0b6e64',
     sky: '#ffffff',
     bounce: '#d6d2cb',
     key: '#fff6ea',
@@ -44,6 +47,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
     gridFine: '#2d333b',
     gridStrong: '#4a535e',
     label: '#a3adb8',
+    accent: '#4cc2b0',
     sky: '#d5e2f2',
     bounce: '#565b63',
     key: '#fff1e0',

@@ -1,65 +1,61 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
-import { Color, Fog, NeutralToneMapping, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
-import { Bodies } from './bodies.ts';
+import { Color, Fog, Scene, Vector3 } from 'three';
 import { CameraRig } from './camera.ts';
-import type { Frame, Quality, SceneOptions, SceneView, ViewName } from './contract.ts';
-import { openContext, whenIdle } from './device.ts';
+import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contract.ts';
+import { openContext, watchContext } from './device.ts';
 import { Focus } from './focus.ts';
-import { Forces } from './forces.ts';
-import { Ground } from './ground.ts';
-import { Labels } from './labels.ts';
-import { Lights } from './lights.ts';
+import { METRES_PER_NEWTON } from './forces.ts';
+import { Grab } from './grab.ts';
+import { Inset } from './inset.ts';
 import { palettes } from './palette.ts';
-import { Trails } from './trails.ts';
-import type { Triple } from './views.ts';
+import { Parts } from './parts.ts';
+import { boxOnScreen, onFacingPlane, pickBody, projected } from './picking.ts';
+import { rendererFor } from './renderer.ts';
+import { Room } from './room.ts';
+import { liesDown, type Triple } from './views.ts';
+import { MARKS } from './words.ts';
 
 export { NoWebGlError } from './device.ts';
 
-/** A picture that takes longer than this (ms) says that the device cannot afford the environment. */
-const SLOW_PICTURE = 60;
 const MAX_PIXEL_RATIO = 2;
 
 /** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
 export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
   const { gl, software } = openContext(canvas);
-  const quality: Quality = options.quality ?? 'auto';
-  const rich = quality === 'high' || (quality === 'auto' && !software);
-
-  const renderer = new WebGLRenderer({ canvas, context: gl });
-  renderer.toneMapping = NeutralToneMapping; // keeps the colours that mean something
-  renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = PCFShadowMap;
-
+  const renderer = rendererFor(canvas, gl);
   let palette = palettes[options.theme];
   const scene = new Scene();
   const background = new Color(palette.background);
   const fog = new Fog(background, 5, 20);
   scene.background = background;
   scene.fog = fog;
-  const lights = new Lights(scene, palette, rich ? 2048 : 1024);
-  const ground = new Ground(scene, palette);
-  const labels = new Labels(scene, palette);
-  const bodies = new Bodies(scene, palette);
-  const trails = new Trails(scene, palette);
-  const forces = new Forces(scene, palette);
+  const parts = new Parts(scene, palette, software ? 1024 : 2048);
+  const { bodies, trails, forces, ghosts } = parts;
   const focus = new Focus();
+  const grab = new Grab(canvas, { pick: pickAt, reachTo }, options); // hears of a press before the camera does
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
+  rig.camera.layers.enable(MARKS);
+  const inset = new Inset();
+  const room = new Room(gl, renderer, software, parts, () => {
+    bodies.setLook(palette, parts.lights.hasRoom);
+    requestRender();
+  });
+  room.set(options.quality ?? 'auto');
 
-  let width = 1;
-  let height = 1;
+  const size = { width: 1, height: 1, ratio: 1 };
   let frames = 0;
   let requested = 0;
   let lost = false;
   let disposed = false;
   let announced = false;
-  let roomPending = 0;
   /** The last frame's parts that outlive it. */
   let time = 0;
   let shown = false;
   let arrows: Frame['forces'] = [];
   let view: ViewName = 'orbit';
   let follow = true;
-  let switches = { trails: true, forces: false };
+  let switches: Switches = { trails: true, forces: false, names: false, frames: false, metresPerNewton: METRES_PER_NEWTON, level: true };
+  let scale = 0;
 
   function requestRender(): void {
     if (requested === 0 && !disposed && !lost) requested = requestAnimationFrame(render);
@@ -68,32 +64,36 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   function render(now: number): void {
     requested = 0;
     rig.update(now);
-    const { target, distance } = rig;
-    ground.followView(target, distance, rig.camera.position.z);
-    labels.follow(target, distance);
-    fog.near = 1.6 * distance + 1;
-    fog.far = 4.4 * distance + 2.5;
-    const measured = quality === 'auto' && rich && frames === 1;
-    const began = measured ? performance.now() : 0;
-    renderer.render(scene, rig.camera);
+    renderer.info.reset();
+    const close = shown ? inset.place(focus, bodies) : null;
+    draw();
+    if (close) inset.draw(renderer, scene, close, size, look);
     frames++;
     if (!announced && shown && bodies.count > 0) {
       announced = true;
       options.onFirstFrame?.();
       requestRender(); // the second picture has no shaders to compile: it tells how fast the device is
     }
-    if (rich && roomPending === 0 && !lights.hasRoom && announced && frames > 1) {
-      if (measured) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
-      if (!measured || performance.now() - began < SLOW_PICTURE) roomPending = whenIdle(makeRoom);
-      else roomPending = -1;
-    }
+    const distance = view === 'rider' ? rig.camera.position.distanceTo(focus.position) : rig.distance;
+    const pixels = size.height / (rig.spread * distance);
+    if (Math.abs(pixels / scale - 1) > 0.005) options.onScale?.((scale = pixels));
   }
 
-  function makeRoom(): void {
-    if (disposed || lost) return;
-    lights.makeRoom(renderer);
-    bodies.setLook(palette, true);
-    requestRender();
+  function draw(): void {
+    const { camera, target, distance } = rig;
+    parts.labels.follow(target, distance);
+    parts.handle.follow(camera);
+    look(target, distance, camera.position.z);
+    const done = room.watch(announced ? frames : 0);
+    renderer.render(scene, camera);
+    done();
+  }
+
+  /** What depends on where one stands. */
+  function look(target: Vector3, distance: number, height: number): void {
+    parts.ground.followView(target, distance, height);
+    fog.near = 1.6 * distance + 1;
+    fog.far = 4.4 * distance + 2.5;
   }
 
   function setFrame(frame: Frame | null): void {
@@ -102,80 +102,88 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     arrows = frame?.forces.map((f) => ({ ...f, origin: [...f.origin] as const, vector: [...f.vector] as const })) ?? [];
     time = frame?.time ?? Number.NEGATIVE_INFINITY;
     if (shown) followCast(frame!.poses);
-    else ground.clearBoard();
-    forces.set(arrows, switches.forces);
+    else parts.ground.clearBoard();
+    show();
+    grab.follow();
+  }
+
+  /** Draws what the switches let through. */
+  function show(): void {
+    forces.set(arrows, switches.forces, switches.metresPerNewton);
     trails.show(time, switches.trails);
+    parts.mark(switches, focus.plan.subject, focus.size);
     requestRender();
   }
 
   function followCast(poses: Float64Array): void {
-    const { moved, stage, camera } = focus.take(poses, view, bodies);
-    const { plan, position, heading } = focus;
-    const body = (i: number | undefined): Triple | null => (i === undefined || poses.length < 12 * (i + 1) ? null : [poses[12 * i]!, poses[12 * i + 1]!, poses[12 * i + 2]!]);
-    const at = body(plan.subject)!;
-    if (!at.every(Number.isFinite)) return;
-    if (stage) {
-      lights.setSize(focus.size);
-      ground.setPlan(plan.floor, focus.size, focus.unit);
-      labels.setPlan(plan.floor, focus.unit);
-    }
-    const [front, back] = bodies.wheeled().map((i) => body(i));
-    const lowest = front && back ? Math.min(front[2], back[2]) : position.z;
-    ground.followBoard(at, heading, Math.abs(lowest), front ?? null, back ?? null);
-    lights.follow(...at, plan.floor);
-    if (camera) go(true);
+    const { moved, stage, camera } = focus.take(poses, time, view, bodies);
+    const { plan } = focus;
+    if (!bodies.originOf(plan.subject)?.toArray().every(Number.isFinite)) return;
+    if (stage) parts.setPlan(plan.floor, focus.size, focus.unit);
+    parts.follow(plan, focus.heading, focus.position.z);
+    if (view === 'rider') rig.ride(focus.ride(switches.level));
+    else if (camera) go(true);
     else if (follow) rig.shift(moved);
   }
 
   function go(instantly: boolean): void {
-    const { camera, target } = focus.place(view, width / height, bodies);
+    rig.ride(view === 'rider' ? focus.ride(switches.level) : null);
+    measure();
+    if (view === 'rider') return requestRender();
+    const { camera, target } = focus.place(view, size.width / size.height, bodies);
     rig.go(camera, target, instantly);
   }
 
-  function look(): void {
-    background.set(palette.background);
-    fog.color.set(palette.background);
-    lights.setPalette(palette);
-    for (const part of [ground, labels, trails, forces]) part.setPalette(palette);
-    bodies.setLook(palette, lights.hasRoom);
-    requestRender();
+  function measure(): void {
+    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio });
   }
 
-  function contextLost(event: Event): void {
-    event.preventDefault(); // without it the browser never gives the context back
-    lost = true;
-    cancelAnimationFrame(requested);
-    requested = 0;
-    options.onContextLost?.();
+  function pickAt(x: number, y: number, reach = 0) {
+    return shown ? pickBody(x, y, reach, rig.camera, size, bodies) : null;
   }
 
-  function contextRestored(): void {
-    lost = false;
-    const hadRoom = lights.hasRoom;
-    lights.dropRoom(); // its picture was on the card
-    bodies.setLook(palette, false);
-    if (hadRoom) roomPending = 0;
-    requestRender();
-    options.onContextRestored?.();
+  function reachTo(x: number, y: number, at: { body: number; point: Triple }): Triple | null {
+    const matrix = bodies.matrix(at.body);
+    return matrix ? (onFacingPlane(x, y, new Vector3(...at.point).applyMatrix4(matrix), rig.camera, size)?.toArray() ?? null) : null;
   }
 
-  canvas.addEventListener('webglcontextlost', contextLost);
-  canvas.addEventListener('webglcontextrestored', contextRestored);
+  const stopWatching = watchContext(
+    canvas,
+    () => {
+      lost = true;
+      cancelAnimationFrame(requested);
+      requested = 0;
+      grab.release();
+      options.onContextLost?.();
+    },
+    () => {
+      lost = false;
+      room.restore(); // its picture was on the card
+      requestRender();
+      options.onContextRestored?.();
+    },
+  );
 
   return {
     setModels(models, cast) {
       bodies.setModels(models, cast.bodies, cast.fixtures);
+      ghosts.follow();
       focus.setCast(cast);
       requestRender();
     },
     replaceBody(id, pair) {
       bodies.replace(id, pair);
+      ghosts.follow();
       requestRender();
     },
     setFrame,
     setTrails(list) {
       trails.set(list);
       trails.show(time, switches.trails);
+      requestRender();
+    },
+    setGhosts(list) {
+      ghosts.set(list);
       requestRender();
     },
     setView(name) {
@@ -187,51 +195,63 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       follow = value;
     },
     setSwitches(next) {
-      switches = { ...next };
-      forces.set(arrows, switches.forces);
-      trails.show(time, switches.trails);
+      switches = { ...switches, ...next };
+      if (view === 'rider') rig.ride(focus.ride(switches.level));
+      show();
+    },
+    setQuality(quality) {
+      room.set(quality);
       requestRender();
     },
+    setInset(box) {
+      inset.box = box;
+      requestRender();
+    },
+    setGrabbing(when) {
+      grab.when = when;
+    },
+    setHandle(handle) {
+      parts.handle.set(handle);
+      requestRender();
+    },
+    pick: pickAt,
+    project: (world) => projected(world, rig.camera, size),
     setTheme(theme) {
       palette = palettes[theme];
-      look();
+      background.set(palette.background);
+      fog.color.set(palette.background);
+      parts.setPalette(palette);
+      show();
     },
     setReducedMotion: (reduced) => rig.setReducedMotion(reduced),
     resize(w, h, devicePixelRatio) {
-      width = Math.max(1, w);
-      height = Math.max(1, h);
-      const ratio = Math.min(Math.max(devicePixelRatio, 0.5), MAX_PIXEL_RATIO);
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(width, height, false);
-      rig.setAspect(width / height);
-      labels.resize(height, ratio);
+      const before = size.width / size.height;
+      size.width = Math.max(1, w);
+      size.height = Math.max(1, h);
+      size.ratio = Math.min(Math.max(devicePixelRatio, 0.5), MAX_PIXEL_RATIO);
+      renderer.setPixelRatio(size.ratio);
+      renderer.setSize(size.width, size.height, false);
+      const aspect = size.width / size.height;
+      rig.setAspect(aspect);
+      measure();
+      if (view === 'top' && shown && liesDown(before) !== liesDown(aspect)) go(true);
+      else if (view !== 'rider') rig.dolly(focus.dolly(view, before, aspect, bodies));
       requestRender();
     },
     setBodyVisible(index, visible) {
       bodies.setVisible(index, visible);
-      requestRender();
+      show();
     },
     requestRender,
     stats: () => ({ frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count }),
-    bodyPosition(index) {
-      const matrix = bodies.matrix(index);
-      return matrix ? (new Vector3().setFromMatrixPosition(matrix).toArray() as [number, number, number]) : null;
-    },
+    bodyPosition: (index) => bodies.originOf(index)?.toArray() ?? null,
     bodyMatrix: (index) => bodies.matrix(index)?.toArray() ?? null,
-    screenBox(index) {
-      rig.camera.updateMatrixWorld();
-      const corners = bodies.corners(index).map((corner) => corner.project(rig.camera));
-      if (corners.length === 0 || corners.some(({ z }) => z > 1)) return null;
-      const xs = corners.map(({ x }) => ((x + 1) / 2) * width);
-      const ys = corners.map(({ y }) => ((1 - y) / 2) * height);
-      return { left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) };
-    },
+    screenBox: (index) => boxOnScreen(index, rig.camera, size, bodies),
     dispose() {
       disposed = true;
       cancelAnimationFrame(requested);
-      canvas.removeEventListener('webglcontextlost', contextLost);
-      canvas.removeEventListener('webglcontextrestored', contextRestored);
-      for (const part of [rig, lights, ground, labels, bodies, trails, forces]) part.dispose();
+      stopWatching();
+      for (const part of [grab, rig, room, parts]) part.dispose();
       renderer.dispose();
     },
   };

@@ -23,6 +23,8 @@ export class TrackBuffer {
   points = new Float32Array(3 * 256);
   times = new Float64Array(256);
   count = 0;
+  /** How much higher its points are than the trail's (m). */
+  readonly lift = LIFT;
   /** Points of the trail that have been read. */
   private read = 0;
   private first: readonly number[] = [];

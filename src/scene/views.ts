@@ -19,7 +19,7 @@ interface View {
   margin: readonly [number, number];
 }
 
-const VIEWS: Readonly<Record<ViewName, View>> = {
+const VIEWS: Readonly<Record<Exclude<ViewName, 'rider'>, View>> = {
   orbit: { direction: [0.62, -1, 0.6], margin: [1.02, 1.08] },
   front: { direction: [1, 0, 0.14], margin: [1.3, 1.3] },
   // From the right, so that forward is to the right on the screen.
@@ -28,6 +28,9 @@ const VIEWS: Readonly<Record<ViewName, View>> = {
   top: { direction: [0, -1e-3, 1], margin: [1.25, 1.4] },
   caster: { direction: [0.7, -1, 0.16], margin: [1.15, 1.1] },
 };
+
+/** Whether something long is best seen lying down in a picture of this aspect, width over height. */
+export const liesDown = (aspect: number): boolean => aspect >= 0.8;
 
 /** The body that a view looks at, by index. */
 export function subjectOf(name: ViewName, stage: Pick<StagePlan, 'subject' | 'closeUp'>): number {
@@ -47,14 +50,14 @@ export function headingOf(poses: ArrayLike<number>, offset = 0, facing: StagePla
   return Math.atan2(poses[offset + 6]!, poses[offset + 3]!);
 }
 
-/** Camera and target in world axes (m) for a view of a block whose frame stands at `position` with the given heading (rad). */
+/** Camera and target in world axes (m) for a view (the rider's has a place of its own: the orbit's here) of a block whose frame stands at `position` with the given heading (rad). */
 export function placeView(name: ViewName, block: Block, position: Triple, heading: number, aspect: number): { camera: Triple; target: Triple } {
-  const view = VIEWS[name];
+  const view = VIEWS[name === 'rider' ? 'orbit' : name];
   const { low, high } = block;
   const half = [0, 1, 2].map((i) => (high[i]! - low[i]!) / 2) as unknown as Triple;
   const centre = [0, 1, 2].map((i) => (high[i]! + low[i]!) / 2) as unknown as Triple;
   // From above, what is longer than wide stands upright on a tall picture.
-  const [x, y, z]: Triple = name === 'top' && aspect < 0.8 && half[0] > half[1] ? [-1e-3, 0, 1] : view.direction;
+  const [x, y, z]: Triple = name === 'top' && !liesDown(aspect) && half[0] > half[1] ? [-1e-3, 0, 1] : view.direction;
   const length = Math.hypot(x, y, z);
   const level = Math.hypot(x, y);
   const right: Triple = [-y / level, x / level, 0];

@@ -29,6 +29,7 @@ export const text = {
     rateOf: (label: string) => `rate of ${label}`, weightOf: (label: string) => `weight of ${label}`, limitOf: (label: string) => `largest ${label}`,
     computing: 'Computing the gain', slowest: 'slowest time constant', damping: 'least damping ratio', reached: 'modes that the inputs reach', residual: 'Riccati residual',
     of: (part: number, whole: number) => `${part} of ${whole}`, untouched: (names: string) => `Left as they are, because no input reaches them or no weight sees them: ${names}.`,
+    schedule: 'Over the speed', scheduled: 'gains follow the forward speed', scheduleEnds: { from: 'v₁', to: 'v₂' }, scheduleLabels: { from: 'lowest speed of the schedule', to: 'highest speed of the schedule' },
     plane: (list: string) => `Closed-loop eigenvalues: ${list}`, legend: '× open loop   ● closed loop',
   },
   transport: {
@@ -36,8 +37,17 @@ export const text = {
     held: (speed: string) => `held ${speed}`, heldTitle: 'This machine holds the slower speed', loop: 'Loop', seconds: 's', of: 'of',
   },
   view: {
-    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster' },
+    label: 'View', names: { orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster', rider: 'Aboard' },
     follow: 'Follow', trails: 'Trails', forces: 'Forces', switches: 'Show in the scene', scene: 'Three-dimensional view of the motion',
+  },
+  look: {
+    menu: 'Show', names: 'Names of bodies (N)', frames: 'Axes of bodies (A)', inset: 'Front caster in a corner (P)', insetTitle: 'Front caster', level: 'Keep the horizon level',
+    forceScale: 'Length of force arrows', perNewton: (cm: string) => `${cm} centimetres per newton`, legend: (force: string) => `The bar is as long as the arrow of ${force}`,
+    quality: 'Picture', qualities: [{ id: 'auto', label: 'as this device can' }, { id: 'low', label: 'plain' }, { id: 'high', label: 'rich' }],
+    showMode: 'Show as motion', showModeOf: (value: string) => `Show the mode ${value} as motion`, mode: (value: string) => `Mode ${value}\u202f1/s`,
+    modeHint: (angle: string) => `Not a run: the linear mode, with its largest angle ${angle}.`, growth: 'As it grows or decays', shapeOnly: 'Shape only', growthLabel: 'How the mode is shown', back: 'Back to the run',
+    modeFacts: 'mode of the linearization',
+    push: 'Push', pushTitle: 'Drag a body to pull at it; Shift and drag does it at any time',
   },
   status: {
     reading: (name: string) => `Reading ${name}`, readingRows: (name: string, rows: string) => `reading ${name}, ${rows} rows`,
@@ -91,6 +101,7 @@ export const text = {
     noCritical: 'No real part crosses zero in this range.', criticalColumns: ['value', 'on the axis', 'growing modes', ''], divergence: 'real', oscillation: (frequency: string) => `oscillation, ${frequency} Hz`,
     stableAbove: 'nothing grows above', stableBelow: 'nothing grows below', skipped: (n: number, value: string, reason: string) => `${n} values are left out, the first at ${value}: ${reason}`, locusCsv: 'Locus as CSV',
   },
+  compare: { open: 'Compare', keep: 'Keep this run', kept: 'kept' },
   message: { label: 'Messages', dismiss: 'Dismiss' },
   later: { loading: 'Loading', failed: 'This part could not be loaded; check the connection and open it again.' },
   close: 'Close',
@@ -98,7 +109,8 @@ export const text = {
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
-    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 5', 'orbit, front, side, top, caster view'], ['F', 'follow what moves'],
+    ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
+    ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'],
     ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

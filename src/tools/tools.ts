@@ -1,3 +1,4 @@
+import { equations as equationWords } from '../text/equations.ts';
 import { text } from '../text/page.ts';
 import { text as plots } from '../text/plots.ts';
 import { later } from '../ui/later.tsx';
@@ -8,6 +9,8 @@ import type { Tool } from '../ui/tool.ts';
 export const tools: readonly Tool[] = [
   { id: 'now', title: text.panel.now, icon: 'now', size: 'narrow', Body: NowTool },
   { id: 'plots', title: plots.title, icon: 'plots', size: 'wide', Body: later(async () => (await import('./plots/plotsTool.tsx')).PlotsTool) },
+  { id: 'equations', title: equationWords.open, icon: 'equations', size: 'wide', Body: later(async () => (await import('./equations/equationsTool.tsx')).EquationsTool) },
   { id: 'analysis', title: text.analysis.open, icon: 'analysis', size: 'wide', Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool) },
   { id: 'methods', title: text.methods.open, icon: 'methods', size: 'widest', keep: true, Body: later(async () => (await import('./methodsTool.tsx')).MethodsTool) },
+  { id: 'compare', title: text.compare.open, icon: 'compare', size: 'wide', keep: true, Body: later(async () => (await import('./compare/compareTool.tsx')).CompareTool) },
 ];

@@ -12,14 +12,14 @@ import { text } from '../text/page.ts';
 import { numberOf } from './useNumberField.ts';
 
 /** A modal dialog: focus goes in, stays in and comes back; Escape closes. */
-export function Dialog({ title, testId, onClose, children }: { title: string; testId: string; onClose(): void; children: ComponentChildren }) {
+export function Dialog({ title, testId, wide, onClose, children }: { title: string; testId: string; wide?: boolean; onClose(): void; children: ComponentChildren }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => {
     const element = dialog.current!;
     const before = document.activeElement as HTMLElement | null;
     element.showModal();
-    const field = element.querySelector<HTMLInputElement>('form input');
+    const field = element.querySelector<HTMLInputElement>('form input, input[type=search]');
     field?.focus();
     field?.select();
     return () => {
@@ -28,7 +28,7 @@ export function Dialog({ title, testId, onClose, children }: { title: string; te
     };
   }, []);
   return (
-    <dialog ref={dialog} aria-labelledby={id} data-testid={testId} onCancel={(event) => { event.preventDefault(); onClose(); }}
+    <dialog ref={dialog} class={wide ? 'wide' : undefined} aria-labelledby={id} data-testid={testId} onCancel={(event) => { event.preventDefault(); onClose(); }}
       onClick={(event) => { if (event.target === dialog.current) onClose(); }}>
       <div class="dialog-body">
         <div class="dialog-head">

@@ -1,10 +1,10 @@
 /** The page's keys. Fields, menus and dialogs keep theirs. */
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
+import { speeds } from '../app/playbackClock.ts';
 import type { App } from '../app/types.ts';
 import { viewsOf } from './stageOverlay.tsx';
 import { timelineOf } from './timeline.ts';
-import { speeds } from './transport.tsx';
 
 const JUMP = 0.1;
 
@@ -54,10 +54,14 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     j: () => slowerOrFaster(app, -1),
     k: actions.pause,
     l: () => slowerOrFaster(app, 1),
+    b: () => void app.kept.keep(),
     f: () => { state.follow.value = !state.follow.peek(); },
+    p: () => { state.look.inset.value = !state.look.inset.peek(); },
+    n: () => { state.look.names.value = !state.look.names.peek(); },
+    a: () => { state.look.frames.value = !state.look.frames.peek(); },
     '?': () => { keysOpen.value = true; },
   };
-  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system)[Number(key) - 1];
+  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);
   const run = does[key.length === 1 ? key.toLowerCase() : key] ?? (view && (() => { state.view.value = view; }));
   run?.();
   return run !== undefined;

@@ -51,6 +51,7 @@ export function LqrPanel({ control }: { control: LqrControl }) {
       <p class="hint">{text.lqr.about}</p>
       <InputChoice control={control} meta={meta} change={change} />
       <OperatingPoint control={control} meta={meta} change={change} />
+      {(meta.forward ?? meta.speed) && <Schedule control={control} meta={meta} change={change} />}
       <div class="lqr-sets">
         <label>{text.lqr.sets} <select data-testid="lqr-sets" value="" onChange={(event) => {
           const found = weightSets(meta, control.inputs).find((s) => s.id === event.currentTarget.value);
@@ -108,6 +109,26 @@ function OperatingPoint({ control, meta, change }: Part) {
           }} />
         );
       })}
+    </fieldset>
+  );
+}
+
+/** What a schedule begins with when it is switched on, m/s. */
+const FIRST_SCHEDULE = { from: 0.5, to: 4, count: 8 };
+
+function Schedule({ control: { schedule }, change }: Part) {
+  const field = (key: 'from' | 'to') => (
+    <NumberField key={key} symbol={text.lqr.scheduleEnds[key]} testId={`lqr-schedule-${key}`} spec={{
+      path: `control.schedule.${key}`, label: text.lqr.scheduleLabels[key], unit: 'm/s', angle: false, positive: true, numeric: true, value: schedule![key], base: undefined, rest: FIRST_SCHEDULE[key], step: 0.1,
+      commit: (value) => change({ schedule: { ...schedule!, [key]: numberOf(value, FIRST_SCHEDULE[key]) } }),
+    }} />
+  );
+  return (
+    <fieldset class="group">
+      <legend>{text.lqr.schedule}</legend>
+      <Check label={text.lqr.scheduled} testId="lqr-schedule" checked={schedule !== undefined} onChange={(on) => change({ schedule: on ? FIRST_SCHEDULE : undefined })} />
+      {schedule && field('from')}
+      {schedule && field('to')}
     </fieldset>
   );
 }

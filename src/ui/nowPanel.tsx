@@ -86,7 +86,7 @@ function Multipliers({ motion, names, time }: { motion: Motion; names: readonly 
 }
 
 /** Linear between rows: enough for a read-out. */
-function sample(trajectory: Trajectory, name: string, time: number): number | null {
+export function sample(trajectory: Trajectory, name: string, time: number): number | null {
   const values = trajectory.column(name);
   const t = trajectory.column('t');
   if (!values || !t || values.length === 0) return null;
@@ -98,7 +98,7 @@ function sample(trajectory: Trajectory, name: string, time: number): number | nu
 }
 
 /** The playback time, but not on every frame; the last change always arrives. */
-export function useSlowTime(): number {
+export function useSlowTime(interval = INTERVAL): number {
   const { state } = useUi().app;
   const [slow] = useState(() => signal(state.time.peek()));
   useEffect(() => {
@@ -110,7 +110,7 @@ export function useSlowTime(): number {
       slow.value = state.time.peek();
     };
     const stop = state.time.subscribe(() => {
-      timer ??= setTimeout(show, Math.max(0, INTERVAL - (performance.now() - last)));
+      timer ??= setTimeout(show, Math.max(0, interval - (performance.now() - last)));
     });
     return () => {
       stop();

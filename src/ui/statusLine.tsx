@@ -14,10 +14,10 @@ export function StatusLine() {
   const motion = ui.app.state.motion.value;
   return (
     <footer class="status" data-testid="status" aria-label={text.status.label}>
-      {motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
+      {motion?.source === 'mode' ? <span>{text.look.modeFacts}</span> : motion?.source === 'file' ? <FileFacts /> : <RunFacts />}
       <span class="spring" />
       <Connection />
-      <RunStanding />
+      {motion?.source !== 'mode' && <RunStanding />}
     </footer>
   );
 }
@@ -78,7 +78,7 @@ function FileFacts() {
 }
 
 function RunStanding() {
-  const { state, actions } = useUi().app;
+  const { state, actions, kept } = useUi().app;
   const reading = state.reading.value;
   if (reading) {
     return (
@@ -101,7 +101,12 @@ function RunStanding() {
   }
   if (run?.kind === 'ended') {
     const failed = !EXPECTED.has(run.reason);
-    return <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>;
+    return (
+      <>
+        <span class={`standing${failed ? ' failed' : ''}`} data-testid="run-state" data-reason={run.reason} title={run.message}>{text.status.ended(text.status.reasons[run.reason] ?? run.reason)}</span>
+        {kept.ofStage() ? <span>{text.compare.kept}</span> : <button type="button" class="link" data-testid="status-keep" onClick={() => kept.keep()}>{text.compare.keep}</button>}
+      </>
+    );
   }
   return <span class="standing" data-testid="run-state">{state.motion.value ? '' : text.status.idle}</span>;
 }

@@ -1,11 +1,15 @@
-import type { Signal } from '@preact/signals';
+import { useSignal, type Signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { replaceDraft, useUi } from './context.ts';
 import { Icon } from './controls.tsx';
+import { Dialog } from './dialogs.tsx';
 import { sameContent } from './draft.ts';
+import { later } from './later.tsx';
 import { Menu } from './menu.tsx';
 import { ShareButton } from './share.tsx';
 import { text } from '../text/page.ts';
+
+const Gallery = later(async () => (await import('./gallery.tsx')).Gallery);
 
 export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
   const ui = useUi();
@@ -38,19 +42,24 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
   );
 }
 
+/** The name of the case in the panel; it opens the gallery. */
 function CaseMenu() {
   const ui = useUi();
+  const open = useSignal(false);
   const origin = ui.origin.value;
   const edited = origin !== null && !sameContent(origin.scenario, ui.app.state.draft.value);
+  const close = () => {
+    open.value = false;
+  };
   return (
-    <Menu label={`${text.top.cases}: ${origin?.title ?? text.top.ownScenario}`} testId="case-menu" wide
-      items={ui.app.cases.map((c) => ({
-        id: c.id, title: c.title, summary: c.summary, group: ui.app.systemOf(c.scenario.system)?.meta.title, current: c.id === origin?.id, testId: `case-${c.id}`,
-        choose: () => replaceDraft(ui, () => ui.app.actions.loadCase(c.id)),
-      }))}>
-      <span class="case-title">{origin?.title ?? text.top.ownScenario}</span>
-      {edited && <span class="edited">{text.top.edited}</span>}
-    </Menu>
+    <>
+      <button type="button" class="menu-button" aria-haspopup="dialog" aria-label={`${text.top.cases}: ${origin?.title ?? text.top.ownScenario}`} data-testid="case-menu" onClick={() => { open.value = true; }}>
+        <span class="case-title">{origin?.title ?? text.top.ownScenario}</span>
+        {edited && <span class="edited">{text.top.edited}</span>}
+        <Icon name="down" />
+      </button>
+      {open.value && <Dialog title={text.top.cases} testId="gallery" wide onClose={close}><Gallery onClose={close} /></Dialog>}
+    </>
   );
 }
 

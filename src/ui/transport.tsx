@@ -1,12 +1,11 @@
 /** Playback: the same for a live run and a file. */
 import { useComputed } from '@preact/signals';
+import { speeds } from '../app/playbackClock.ts';
 import { useUi } from './context.ts';
 import { Icon, Toggle } from './controls.tsx';
 import { formatSpeed, formatTime, THIN } from './format.ts';
 import { Scrubber } from './scrubber.tsx';
 import { text } from '../text/page.ts';
-
-export const speeds = [1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4] as const;
 
 export function Transport() {
   const { state, actions } = useUi().app;

@@ -23,6 +23,10 @@ const ends: Readonly<Record<string, Readonly<Record<string, readonly [value: num
   'coasting-2': { X: [1.13824, 1e-4], theta: [-0.045132, 1e-5] },
   'coasting-3': { X: [1.84175, 1e-4], theta: [-0.059369, 1e-5] },
   'falling-ground': { Y: [-0.02497, 1e-4], alpha_fp: [0.28249, 1e-4] },
+  'balanced-feet': { X: [0.079496, 1e-5], alpha_fp: [0, 1e-4], alpha_bp: [0, 1e-4], theta_fc: [0, 1e-4] },
+  'balanced-pushed': { X: [11.838803, 1e-4], alpha_bp: [-0.002133, 1e-5], theta_fc: [0.001526, 1e-5] },
+  scheduled: { X_dot: [4.101, 1e-3], alpha_fp: [0, 1e-4], theta_fc: [0, 1e-4] },
+  circle: { X: [1.43666, 1e-3], Y: [-3.45009, 1e-3], theta: [-14.95352, 1e-3] },
   turning: { X: [15.0041, 1e-3], Y: [3.7102, 1e-3] },
   'cart-pendulum': { X: [0.252355, 1e-5], theta: [-3.570098, 1e-5] },
   'cart-pendulum-lqr': { X: [0, 1e-3], theta: [Math.PI / 2, 1e-4] },
@@ -79,6 +83,25 @@ describe.each(cases.map((c) => [c.id, c] as const))('%s', (id, { scenario, publi
       if (exact) expect(compileExpression(exact.expression, { variables: ['t'] }).evaluate(0)).toBeCloseTo(run.columns.get(y[0]!)![0]!, 12);
     }
   });
+});
+
+test.each([0.5, 2])('the gait on the circle holds its speed whatever it starts with: %f m/s', (X_dot) => {
+  const { scenario } = cases.find((c) => c.id === 'circle')!;
+  const { columns } = runOf({ ...scenario, initial: { X_dot } });
+  const over = { x: 'X', y: 'Y', from: 20 } as const;
+  const column = (name: string) => columns.get(name)!;
+  expect(Math.abs(measured({ kind: 'speed', ...over }, column) - 1)).toBeLessThan(0.002);
+  expect(Math.abs(measured({ kind: 'diameter', ...over }, column) - 4)).toBeLessThan(0.02);
+});
+
+test.each(['balanced-feet', 'balanced', 'cart-pendulum-lqr'])('without losses the inputs of %s spend what the energy gains', (id) => {
+  const { scenario } = cases.find((c) => c.id === id)!;
+  const { columns } = runOf({ ...scenario, duration: 1, outputStep: 2e-4 });
+  const column = caseColumns(systems[scenario.system]!, scenarioOf(scenario).parameters, (name) => columns.get(name));
+  const energy = column('energy');
+  const [net, gross] = (['net', 'gross'] as const).map((spent) => measured({ kind: 'energy', spent }, column));
+  expect(Math.abs(energy.at(-1)! - energy[0]! - net!)).toBeLessThan(1e-3 * gross!);
+  expect(gross).toBeGreaterThan(Math.abs(net!));
 });
 
 test('a name that is no column is refused', () => {

@@ -18,7 +18,7 @@ const MAY_IMPORT: Record<string, readonly string[]> = {
   main: ['core', 'io', 'worker', 'sceneBridge', 'app', 'ui', 'tools', 'text'],
 };
 /** Packages that one folder alone imports. */
-const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts' };
+const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts', katex: 'tools' };
 
 const src = resolve('src');
 const files = readdirSync(src, { recursive: true, encoding: 'utf8' }).filter((name) => /\.tsx?$/.test(name));

@@ -15,6 +15,8 @@ export interface Case {
   scenario: ScenarioFile;
   /** Numbers known from elsewhere, which the run meets within their tolerance. */
   published?: readonly Published[];
+  /** Where its picture is taken: share of the run's time (0.4) and view (orbit). */
+  picture?: { share?: number; view?: 'orbit' | 'front' | 'side' | 'top' | 'caster' };
   /** What to plot; a figure of the report on its own axes. */
   plots?: readonly CasePlot[];
 }
@@ -34,13 +36,19 @@ export interface Published {
  * A number of a run; `column` as in `CaseColumns`, times in s (a whole run where they are left out).
  *
  * `end`: last value; `at`: value of the row at a time; `max`, `min`: over the rows from `from` to `to`;
- * `diameter`: of the circle that fits the points (x, y) of the rows best, in the least-squares sense.
+ * `diameter`: of the circle that fits the points (x, y) of the rows best, in the least-squares sense;
+ * `energy`: what the inputs put in, J: the integral of the sum of u times its rate (`net`), or of its absolute values
+ * (`gross`: what motors that take nothing back would spend; a rider's muscles spend more);
+ * `distance`: length of the path of (x, y), m; `speed`: that over the time it took, m/s;
+ * `transport`: cost of transport, energy over distance, J/m.
  */
 export type Measure =
   | { kind: 'end'; column: string }
   | { kind: 'at'; column: string; time: number }
   | { kind: 'max' | 'min'; column: string; from?: number; to?: number }
-  | { kind: 'diameter'; x: string; y: string; from?: number; to?: number };
+  | { kind: 'diameter' | 'distance' | 'speed'; x: string; y: string; from?: number; to?: number }
+  | { kind: 'energy'; spent: 'net' | 'gross'; from?: number; to?: number }
+  | { kind: 'transport'; spent: 'net' | 'gross'; x: string; y: string; from?: number; to?: number };
 
 /** A plot of columns against a column, with the report's axes where it reproduces a figure. */
 export interface CasePlot {
@@ -49,7 +57,7 @@ export interface CasePlot {
   x: string;
   y: readonly string[];
   /** Of the vertical axis; angles are recorded in rad and shown in what is named here. */
-  unit: 'deg' | 'rad' | 'm' | 'm/s' | 'rad/s' | 'N·m' | '1';
+  unit: 'deg' | 'rad' | 'm' | 'm/s' | 'rad/s' | 'N·m' | 'W' | '1';
   /** Where the figure's horizontal axis ends, if before the run. */
   to?: number;
   /** The same length on both axes shows as the same length. */

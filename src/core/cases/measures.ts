@@ -1,3 +1,4 @@
+import { inputsOf } from '../dynamics/inputs.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
 import type { SystemView } from '../systems/types.ts';
 import type { Measure } from './case.ts';
@@ -6,8 +7,9 @@ import type { Measure } from './case.ts';
 export type Columns = (name: string) => Float64Array | undefined;
 
 /**
- * Columns of a run as plots and measures name them: recorded ones, and `<body>.x`, `.y`, `.z`, the place of a body's
- * origin (m).
+ * Columns of a run as plots and measures name them: recorded ones; `<body>.x`, `.y`, `.z`, the place of a body's origin
+ * (m); `power` and `power.gross` of the inputs, the sum of u times its rate and of its absolute values (W), of a run with
+ * its inputs recorded.
  * @throws Error for a name that is neither
  */
 export function caseColumns(view: SystemView, parameters: Readonly<Record<string, number>>, recorded: Columns): (name: string) => Float64Array {
@@ -18,6 +20,7 @@ export function caseColumns(view: SystemView, parameters: Readonly<Record<string
   return (name) => {
     const column = recorded(name);
     if (column) return column;
+    if (name === 'power' || name === 'power.gross') return inputPower(view, recorded, name === 'power.gross');
     const [body, axis] = name.split('.');
     const offset = 12 * bodies.findIndex((b) => b.id === body) + ['x', 'y', 'z'].indexOf(axis ?? '');
     if (offset < 0 || !axis || axis.length !== 1) throw new Error(`there is no column "${name}"`);
@@ -30,6 +33,24 @@ export function caseColumns(view: SystemView, parameters: Readonly<Record<string
   };
 }
 
+/** Sum over the inputs of u times the rate of what it acts on, W. */
+function inputPower({ meta }: SystemView, recorded: Columns, gross: boolean): Float64Array {
+  const power = new Float64Array(recorded('t')!.length);
+  for (const { name, column } of inputsOf(meta)) {
+    const u = recorded(name);
+    if (!u) {
+      if (meta.inputs.some((input) => input.name === name)) throw new Error(`the run has no column "${name}": power needs its inputs`);
+      continue;
+    }
+    const rates = Object.entries(column).map(([coordinate, weight]) => [recorded(`${coordinate}_dot`)!, weight] as const);
+    for (let row = 0; row < power.length; row++) {
+      const part = u[row]! * rates.reduce((sum, [rate, weight]) => sum + weight * rate[row]!, 0);
+      power[row]! += gross ? Math.abs(part) : part;
+    }
+  }
+  return power;
+}
+
 /** The number that a measure names; `column` as made by `caseColumns`. NaN for a time without a row. */
 export function measured(measure: Measure, column: (name: string) => Float64Array): number {
   const t = column('t');
@@ -37,9 +58,24 @@ export function measured(measure: Measure, column: (name: string) => Float64Arra
   if (measure.kind === 'at') return column(measure.column)[t.findIndex((time) => Math.abs(time - measure.time) < 1e-9)] ?? NaN;
   const { from = -Infinity, to = Infinity } = measure;
   const within = (values: Float64Array): Float64Array => values.filter((_, row) => t[row]! >= from && t[row]! <= to);
-  if (measure.kind === 'diameter') return circleDiameter(within(column(measure.x)), within(column(measure.y)));
-  const values = within(column(measure.column));
-  return measure.kind === 'max' ? Math.max(...values) : Math.min(...values);
+  const distance = (along: { x: string; y: string }): number => pathLength(within(column(along.x)), within(column(along.y)));
+  const energy = (spent: 'net' | 'gross'): number => integral(within(column(spent === 'net' ? 'power' : 'power.gross')), within(t));
+  switch (measure.kind) {
+    case 'diameter':
+      return circleDiameter(within(column(measure.x)), within(column(measure.y)));
+    case 'distance':
+      return distance(measure);
+    case 'speed':
+      return distance(measure) / (within(t).at(-1)! - within(t)[0]!);
+    case 'energy':
+      return energy(measure.spent);
+    case 'transport':
+      return energy(measure.spent) / distance(measure);
+    case 'max':
+      return Math.max(...within(column(measure.column)));
+    case 'min':
+      return Math.min(...within(column(measure.column)));
+  }
 }
 
 /** Least squares of x² + y² + a x + b y + c = 0 over the points, about their mean; the diameter of that circle. */
@@ -59,6 +95,19 @@ function circleDiameter(x: Float64Array, y: Float64Array): number {
   if (!luFactor(A, 3, pivots)) return NaN;
   luSolve(A, 3, pivots, right);
   return Math.sqrt(right[0]! ** 2 + right[1]! ** 2 - 4 * right[2]!);
+}
+
+function pathLength(x: Float64Array, y: Float64Array): number {
+  let length = 0;
+  for (let row = 1; row < x.length; row++) length += Math.hypot(x[row]! - x[row - 1]!, y[row]! - y[row - 1]!);
+  return length;
+}
+
+/** Trapezoidal rule over the rows. */
+function integral(values: Float64Array, t: Float64Array): number {
+  let sum = 0;
+  for (let row = 1; row < t.length; row++) sum += 0.5 * (values[row]! + values[row - 1]!) * (t[row]! - t[row - 1]!);
+  return sum;
 }
 
 const mean = (values: Float64Array): number => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -156,4 +156,88 @@ export const ripstikCases: readonly Case[] = [
       { title: 'Heading', x: 't', y: ['theta'], unit: 'deg' },
     ],
   },
+  {
+    id: 'balanced-feet',
+    title: 'Balanced by the feet, at rest',
+    source: '',
+    look: 'Ten degrees of lean without a push: both feet roll the plates upright again, and the casters swing out and back. At rest a board is held up by its rider alone.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { alpha_fp: '10 deg', alpha_bp: '10 deg' },
+      control: { type: 'lqr', inputs: ['tau_fp', 'tau_bp'], at: {} },
+      duration: 8,
+    },
+    plots: [
+      { title: 'Roll of the plates, steer', x: 't', y: ['alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc'], unit: 'deg' },
+      { title: 'Torque of the feet', x: 't', y: ['tau_fp', 'tau_bp'], unit: 'N·m' },
+    ],
+  },
+  {
+    id: 'balanced-pushed',
+    title: 'Balanced, and pushed',
+    source: 'Report, section 3.5: its two disturbances, here on both plates',
+    look: 'At 1 m/s the steering motors catch a push to one side at 2 s and one to the other at 6 s. Pull at a plate yourself, while it rides: a spring pulls where you drag.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 1 },
+      inputs: { tau_fp: '0.15*exp(-10*(t-2)^2) - 0.15*exp(-10*(t-6)^2)', tau_bp: '0.15*exp(-10*(t-2)^2) - 0.15*exp(-10*(t-6)^2)' },
+      control: { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } },
+      duration: 12,
+    },
+    plots: [
+      { title: 'Roll of the plates', x: 't', y: ['alpha_fp', 'alpha_bp'], unit: 'deg' },
+      { title: 'Push, and torque of the steering motors', x: 't', y: ['tau_fp', 'tau_fc', 'tau_bc'], unit: 'N·m' },
+    ],
+  },
+  {
+    id: 'scheduled',
+    title: 'Gains that follow the speed',
+    source: '',
+    look: 'Driven from 0.5 to 4 m/s, its gains interpolated at the speed it has. Switch the schedule off in Control: the gain for 3 m/s alone lets it fall within a second.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 0.5, alpha_fp: '2 deg', alpha_bp: '2 deg' },
+      inputs: { f_X: 1.5 },
+      control: { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 3 }, schedule: { from: 0.3, to: 4, count: 8 } },
+      duration: 12,
+    },
+    plots: [
+      { title: 'Roll of the plates, steer', x: 't', y: ['alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc'], unit: 'deg' },
+      { title: 'Speed', x: 't', y: ['X_dot'], unit: 'm/s' },
+    ],
+  },
+  {
+    id: 'circle',
+    title: 'Holds its speed on a circle',
+    source: '',
+    look: 'Feet twist the plates to and fro by 9.6° at 2 Hz about a twist of 3.8°. Against the drag of the wheels that holds 1 m/s, from whatever speed it starts, on a circle 4 m across.',
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      parameters: { wheelDrag: 0.5 },
+      initial: { X_dot: 1 },
+      control: {
+        type: 'track',
+        reference: { tau_fp: '3.77 deg + 9.59 deg * sin(2*pi*2*t)', tau_bp: '-3.77 deg - 9.59 deg * sin(2*pi*2*t)' },
+        kp: 60,
+        kd: 3,
+      },
+      duration: 30,
+    },
+    published: [
+      { what: 'speed over ten seconds', measure: { kind: 'speed', x: 'X', y: 'Y', from: 20, to: 30 }, value: 1, unit: 'm/s', tolerance: 0.005, source: 'What the gait was made for' },
+      { what: 'diameter of the path', measure: { kind: 'diameter', x: 'X', y: 'Y', from: 10, to: 30 }, value: 4, unit: 'm', tolerance: 0.05, source: 'What the gait was made for' },
+      {
+        what: 'cost of transport', measure: { kind: 'transport', spent: 'net', x: 'X', y: 'Y', from: 20, to: 30 }, value: 1, unit: 'J/m', tolerance: 0.1,
+        source: 'The drag of two wheels that roll straight on at 1 m/s; swaying adds to it',
+      },
+    ],
+    plots: [
+      { title: 'Path', x: 'X', y: ['Y'], unit: 'm', equal: true },
+      { title: 'Power of the feet', x: 't', y: ['power'], unit: 'W', to: 3 },
+    ],
+  },
 ];

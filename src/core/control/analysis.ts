@@ -2,6 +2,7 @@ import { Matrix } from 'ml-matrix';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 import { controlReport, type ControlReport } from './report.ts';
+import { preparedOf } from './scenarioControl.ts';
 import { distance, modesOf, type Complex, type Mode } from './spectrum.ts';
 
 /** A report with a shape for each of its eigenvalues. */
@@ -19,11 +20,10 @@ export interface ControlAnalysis extends ControlReport {
 export function analyse(scenario: Scenario, system: System): ControlAnalysis {
   const report = controlReport(scenario, system);
   const [A, N] = [new Matrix(report.A), new Matrix(report.basis)];
-  const shapes = (matrix: Matrix): Mode[] => modesOf(N.transpose().mmul(matrix).mmul(N), N, report.states);
-  const modes = paired(report.eigenvalues, shapes(A));
+  const modes = paired(report.eigenvalues, preparedOf(scenario, system).modes);
   if (!report.K) return { ...report, modes, closedLoopModes: null };
   const closed = Matrix.sub(A, new Matrix(report.B).mmul(new Matrix(report.K)));
-  return { ...report, modes, closedLoopModes: paired(report.closedLoopEigenvalues!, shapes(closed)) };
+  return { ...report, modes, closedLoopModes: paired(report.closedLoopEigenvalues!, modesOf(N.transpose().mmul(closed).mmul(N), N, report.states)) };
 }
 
 /** Gives each eigenvalue the nearest shape that is left: a multiple zero scatters in a matrix that feedback has filled. */

@@ -1,4 +1,5 @@
 import { lqrOf } from './scenarioControl.ts';
+import { scheduledFeedbackOf } from './scheduledFeedback.ts';
 import type { Feedback } from '../dynamics/forcing.ts';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
@@ -50,8 +51,9 @@ export class StateFeedback implements Feedback {
 }
 
 /** The scenario's lqr, by input; null where it has none. @throws ScenarioError where there is no such design */
-export function feedbackOf(scenario: Scenario, system: System): Map<string, StateFeedback> | null {
+export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
   if (scenario.control?.type !== 'lqr') return null;
+  if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);
   const { linearization, gain } = lqrOf(scenario, system);
   const { q, v } = linearization.motion;
   const limits = scenario.control.limits ?? {};

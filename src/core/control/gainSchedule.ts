@@ -18,7 +18,7 @@ export class GainSchedule {
   private readonly slopes: readonly Float64Array[];
 
   /** @param values ascending, at least one; `design` gives the gain at each */
-  constructor(values: readonly number[], design: (value: number) => LqrDesign) {
+  constructor(values: readonly number[], design: (value: number) => Pick<LqrDesign, 'gain'>) {
     if (values.length === 0 || values.some((x, i) => i > 0 && !(x > values[i - 1]!))) {
       throw new ControlError('a schedule needs ascending values, at least one');
     }
@@ -33,17 +33,35 @@ export class GainSchedule {
   /** K at a value into `out` (k x 2n, row-major). */
   at(value: number, out: Float64Array): void {
     const { values, gains, slopes } = this;
-    let i = 0;
-    while (i < values.length - 2 && value > values[i + 1]!) i++;
-    const [left, right] = [values[i]!, values[i + 1] ?? values[i]!];
-    const h = right - left;
-    const s = h > 0 ? Math.max(0, Math.min(1, (value - left) / h)) : 0;
-    const [a, b] = [gains[i]!, gains[i + 1] ?? gains[i]!];
-    const [da, db] = [slopes[i]!, slopes[i + 1] ?? slopes[i]!];
+    const i = this.piece(value);
+    const j = Math.min(i + 1, values.length - 1);
+    const h = values[j]! - values[i]!;
+    const s = h > 0 ? Math.max(0, Math.min(1, (value - values[i]!) / h)) : 0;
+    const [a, b, da, db] = [gains[i]!, gains[j]!, slopes[i]!, slopes[j]!];
     const rest = 1 - s;
     for (let e = 0; e < out.length; e++) {
       out[e] = rest * rest * ((1 + 2 * s) * a[e]! + s * h * da[e]!) + s * s * ((3 - 2 * s) * b[e]! - rest * h * db[e]!);
     }
+  }
+
+  /** dK/dvalue into `out`; 0 beyond the ends, where K is held. */
+  slopeAt(value: number, out: Float64Array): void {
+    const { values, gains, slopes } = this;
+    if (!(value > values[0]! && value < values.at(-1)!)) return void out.fill(0);
+    const i = this.piece(value);
+    const h = values[i + 1]! - values[i]!;
+    const s = (value - values[i]!) / h;
+    const [a, b, da, db] = [gains[i]!, gains[i + 1]!, slopes[i]!, slopes[i + 1]!];
+    for (let e = 0; e < out.length; e++) {
+      out[e] = (6 * s * (1 - s) * (b[e]! - a[e]!)) / h + (1 - s) * (1 - 3 * s) * da[e]! + s * (3 * s - 2) * db[e]!;
+    }
+  }
+
+  /** Index of the value that a piece begins with. */
+  private piece(value: number): number {
+    let i = 0;
+    while (i < this.values.length - 2 && value > this.values[i + 1]!) i++;
+    return i;
   }
 }
 

@@ -1,10 +1,10 @@
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
-import { compareOrders } from './linearize.ts';
-import { decays, reachablePlant, type Decay, type LqrDesign, type ReachablePlant, type UnreachableMode } from './lqr.ts';
+import { decays, type Decay, type LqrDesign, type UnreachableMode } from './lqr.ts';
 import type { InputReach } from './reachability.ts';
-import { linearizedInputs, lqrOf, operatingPoint } from './scenarioControl.ts';
-import { eigenvalues, type Complex, type Mode } from './spectrum.ts';
+import type { PreparedPlant } from './preparedPlant.ts';
+import { lqrOf, preparedOf } from './scenarioControl.ts';
+import type { Complex, Mode } from './spectrum.ts';
 
 /** A linearization and its design as plain numbers: for the command line, files and messages between threads. */
 export interface ControlReport {
@@ -60,26 +60,24 @@ export interface OrdersReport {
  */
 export function controlReport(scenario: Scenario, system: System): ControlReport {
   const design = scenario.control?.type === 'lqr' ? lqrOf(scenario, system) : null;
-  const inputs = linearizedInputs(scenario, system.meta);
-  const motion = design?.linearization.motion ?? operatingPoint(scenario, system);
-  const orders = compareOrders(motion, inputs);
-  const plant = design ? { ...design, modes: design.unreachable } : reachablePlant(orders.eliminateFirst);
+  const prepared = preparedOf(scenario, system);
+  const { orders, spectra } = prepared;
   return {
-    ...plantReport(scenario, plant),
+    ...plantReport(scenario, prepared, design?.unreachable ?? prepared.plant.modes),
     ...designReport(design),
     orders: {
       difference: orders.difference,
       frozenDifference: orders.frozenDifference,
-      linearizeFirstEigenvalues: eigenvalues(orders.linearizeFirst.tangentA),
-      frozenEigenvalues: eigenvalues(orders.frozen.tangentA),
+      linearizeFirstEigenvalues: spectra.linearizeFirst,
+      frozenEigenvalues: spectra.frozen,
     },
   };
 }
 
 type PlantPart = Omit<ControlReport, 'orders' | keyof ReturnType<typeof designReport>>;
 
-function plantReport(scenario: Scenario, plant: ReachablePlant & { modes: (Mode | UnreachableMode)[] }): PlantPart {
-  const { linearization: { motion, states, inputs, A, B, basis, tangentA }, split, modes, byInput } = plant;
+function plantReport(scenario: Scenario, { plant, spectra }: PreparedPlant, modes: (Mode | UnreachableMode)[]): PlantPart {
+  const { linearization: { motion, states, inputs, A, B, basis }, split, byInput } = plant;
   return {
     system: scenario.system,
     states,
@@ -87,7 +85,7 @@ function plantReport(scenario: Scenario, plant: ReachablePlant & { modes: (Mode 
     A: A.to2DArray(),
     B: B.to2DArray(),
     basis: basis.to2DArray(),
-    eigenvalues: eigenvalues(tangentA),
+    eigenvalues: spectra.plain,
     uncontrollable: modes,
     point: { q: [...motion.q], v: [...motion.v], multipliers: [...motion.lambda], moving: motion.moving },
     reachability: {

@@ -1,11 +1,9 @@
-import { StartError } from '../dynamics/consistentStart.ts';
 import { inputsOf } from '../dynamics/inputs.ts';
 import { ScenarioError, type LqrControl, type Scenario } from '../scenario/types.ts';
 import type { InputMeta, System, SystemMeta } from '../systems/types.ts';
-import { linearize } from './linearize.ts';
-import { designLqr, reachablePlant, type LqrDesign, type Weights } from './lqr.ts';
-import { ControlError } from './matrices.ts';
-import { steadyMotionAt, type Plant, type SteadyMotion } from './steadyMotion.ts';
+import { designLqr, type LqrDesign, type Weights } from './lqr.ts';
+import { located, preparedPlant, type PreparedPlant } from './preparedPlant.ts';
+import type { Plant, SteadyMotion } from './steadyMotion.ts';
 
 /** What a scenario says about its plant, its operating point and its controller, as the control code takes it. */
 
@@ -24,9 +22,14 @@ export function plantOf(scenario: Scenario, system: System): Plant {
  * @throws ScenarioError with the path of the point that is none
  */
 export function operatingPoint(scenario: Scenario, system: System): SteadyMotion {
+  return preparedOf(scenario, system).motion;
+}
+
+/** The plant at that point, with the inputs that a linearization is for. @throws ScenarioError as `operatingPoint` */
+export function preparedOf(scenario: Scenario, system: System): PreparedPlant {
   const { control } = scenario;
   const [path, at] = control?.type === 'lqr' ? ['control.at', control.at ?? {}] : ['at', scenario.at];
-  return located(path, () => steadyMotionAt(plantOf(scenario, system), at as Record<string, number>));
+  return preparedPlant(plantOf(scenario, system), at as Record<string, number>, linearizedInputs(scenario, system.meta), path);
 }
 
 /** The inputs that a linearization is for: the controller's, or all that the system names. */
@@ -52,17 +55,6 @@ export function weightsOf(control: LqrControl, meta: SystemMeta): Weights {
 export function lqrOf(scenario: Scenario, system: System): LqrDesign {
   const { control } = scenario;
   if (control?.type !== 'lqr') throw new ScenarioError('control', 'must be of type "lqr"');
-  const motion = operatingPoint(scenario, system);
-  const weights = weightsOf(control, system.meta);
-  return located('control', () => designLqr(reachablePlant(linearize(motion, linearizedInputs(scenario, system.meta))), weights));
-}
-
-/** Says where in the scenario a refusal belongs. */
-function located<T>(path: string, make: () => T): T {
-  try {
-    return make();
-  } catch (error) {
-    if (error instanceof ControlError || error instanceof StartError) throw new ScenarioError(path, error.message);
-    throw error;
-  }
+  const prepared = preparedOf(scenario, system);
+  return located('control', () => designLqr(prepared.plant, weightsOf(control, system.meta)));
 }

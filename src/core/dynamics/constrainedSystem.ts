@@ -185,6 +185,11 @@ export class ConstrainedSystem {
     return done;
   }
 
+  /** What acts from outside changed: nothing at hand is of this moment any more. */
+  forget(): void {
+    this.prepared = 'no';
+  }
+
   /** Whether the factors at hand are of a state at this time. */
   isFactoredAt(t: number): boolean {
     return this.prepared === 'factored' && t === this.preparedT;

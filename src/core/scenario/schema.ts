@@ -1,9 +1,9 @@
 import { inputsOf } from '../dynamics/inputs.ts';
 import type { SystemMeta } from '../systems/types.ts';
 import { Checker, kindOf } from './checker.ts';
-import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS } from './defaults.ts';
+import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS, MOST_SCHEDULED } from './defaults.ts';
 import { jsonFault, placeIn } from './json.ts';
-import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type TrackControl } from './types.ts';
+import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type SpeedSchedule, type TrackControl } from './types.ts';
 
 type Metas = Readonly<Record<string, SystemMeta>>;
 
@@ -174,7 +174,7 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   if (c.errors.has('control')) return null;
   const type = c.oneOf('control.type', all.get('type'), ['lqr', 'track']);
   if (type === undefined) return null;
-  const keys = type === 'lqr' ? ['type', 'inputs', 'at', 'Q', 'R', 'limits'] : ['type', 'reference', 'kp', 'kd', 'limits'];
+  const keys = type === 'lqr' ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule'] : ['type', 'reference', 'kp', 'kd', 'limits'];
   const control = new Map(c.entries('control', raw, keys));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
@@ -195,7 +195,18 @@ function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, meta: Syste
     ...(control.get('Q') === undefined ? {} : { Q }),
     R,
     limits,
+    ...(control.get('schedule') === undefined ? {} : { schedule: checkSchedule(c, control.get('schedule'), meta) }),
   };
+}
+
+function checkSchedule(c: Checker, raw: unknown, meta: SystemMeta): SpeedSchedule {
+  const path = 'control.schedule';
+  if (!(meta.forward ?? meta.speed)) c.add(path, `${meta.id} has no forward speed to schedule gains over; leave it out`);
+  const given = new Map(c.entries(path, raw, ['from', 'to', 'count']));
+  const from = c.number(`${path}.from`, given.get('from'), { above: 0 }) ?? 1;
+  const to = c.number(`${path}.to`, given.get('to'), { above: from }) ?? from;
+  const count = given.get('count') === undefined ? DEFAULTS.scheduled : c.number(`${path}.count`, given.get('count'), { least: 2, most: MOST_SCHEDULED, integer: true });
+  return { from, to, count: count ?? DEFAULTS.scheduled };
 }
 
 function checkTrack(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta, limits: Record<string, number>): TrackControl {

@@ -10,6 +10,14 @@ export interface LqrControl {
   Q?: Record<string, NumberOrExpression>;
   R?: Record<string, NumberOrExpression>;
   limits?: Record<string, NumberOrExpression>;
+  schedule?: SpeedSchedule;
+}
+
+/** Gains designed at `count` forward speeds between two (m/s) and interpolated at the speed that there is. */
+export interface SpeedSchedule {
+  from: number;
+  to: number;
+  count: number;
 }
 
 export interface TrackControl {

@@ -9,6 +9,8 @@ import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 import { motionOf } from './motion.ts';
+import type { Push, PushRecord } from './push.ts';
+import { PushForce, together } from './pushForce.ts';
 
 /** How a run ended. `reason` is a permanent id; `message` is for people. */
 export interface RunEnd {
@@ -37,6 +39,11 @@ export interface RunOptions {
   from?: Continuation | undefined;
   /** State feedback by input: what an `lqr` in the scenario asks (see `feedbackOf`). */
   feedback?: ReadonlyMap<string, Feedback> | null;
+  /**
+   * What pushes by hand act, in the order of their times; those up to the start act from it. An empty list lets `push`
+   * be called; without a list it must not be.
+   */
+  pushes?: readonly PushRecord[] | undefined;
 }
 
 /** A row of an earlier run to go on from: `time` is a multiple of the output step, q and v as in that row. */
@@ -48,6 +55,9 @@ export interface Continuation {
 
 /** Rows that a chunk starts with room for; it grows when a long step brings more. */
 const CHUNK_ROWS = 512;
+
+/** A time closer than this (s) to one that was to be reached is that time. */
+const REACHED = 1e-9;
 
 /** What `columns` of a scenario may ask for; state columns are always there. */
 export const EXTRA_COLUMNS = ['lambda', 'energy', 'residual', 'inputs'] as const;
@@ -66,6 +76,8 @@ export class Simulation {
   readonly q: Float64Array;
   readonly v: Float64Array;
   end: RunEnd | null = null;
+  /** Not computed beyond it, s: for a run that a hand acts on while it is watched. */
+  horizon = Infinity;
   /** Rows waiting in the chunk. */
   rows = 0;
 
@@ -97,13 +109,16 @@ export class Simulation {
   private readonly sampleQ: Float64Array;
   private readonly sampleV: Float64Array;
   private readonly extras: ReadonlySet<string>;
+  private readonly hand: PushForce | null;
+  /** Pushes to come, the next one last. */
+  private readonly coming: PushRecord[];
   private emitted = 0;
   private startEnergy = 0;
   private energy = 0;
   private largestKinetic = 0;
   private largestResidual = 0;
 
-  constructor(scenario: Scenario, system: System, { extras = scenario.columns, from, feedback = null }: RunOptions = {}) {
+  constructor(scenario: Scenario, system: System, { extras = scenario.columns, from, feedback = null, pushes }: RunOptions = {}) {
     this.scenario = scenario;
     this.system = system;
     const { meta } = system;
@@ -118,9 +133,12 @@ export class Simulation {
     this.notes = start.notes;
     this.q = start.q;
     this.v = start.v;
-    this.dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, this.actuation.forcing);
+    this.hand = pushes ? new PushForce(system, parameters) : null;
+    this.coming = [...(pushes ?? [])].reverse();
+    const forcing = this.hand ? together(this.actuation.forcing, this.hand.forcing) : this.actuation.forcing;
+    this.dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing);
     this.projection = new Projection(this.dynamics);
-    this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, this.actuation.forcing);
+    this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing);
     this.rowProjection = new Projection(this.rowDynamics);
     this.a = new Float64Array(n);
     this.lambda = new Float64Array(this.dynamics.m);
@@ -151,15 +169,32 @@ export class Simulation {
     return this.stepper.t;
   }
 
+  /** Computed as far as its horizon. */
+  get waits(): boolean {
+    return !this.end && this.stepper.t >= this.horizon - REACHED;
+  }
+
   get counts(): RunCounts {
     const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
     const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(this.earlier, this.stepper.counters);
     return { steps, rejected, evaluations, jacobians, factorizations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
   }
 
-  /** Steps until the run ends or `pause` (asked after every step) says so. */
+  /**
+   * From now on, the end of what is computed, this push acts, or none: the stepper starts anew there.
+   * @throws ScenarioError for a push that means nothing
+   */
+  push(push: Push | null): PushRecord {
+    this.hand!.set(push);
+    this.dynamics.forget();
+    this.rowDynamics.forget();
+    this.restart();
+    return { time: this.stepper.t, push };
+  }
+
+  /** Steps until the run ends, its horizon is reached or `pause` (asked after every step) says so. */
   advance(pause: () => boolean): void {
-    while (!this.end) {
+    while (!this.end && !this.waits) {
       this.oneStep();
       if (pause()) return;
     }
@@ -179,6 +214,9 @@ export class Simulation {
 
   private begin(time: number): void {
     const { stepper, formulation, sample, q, v } = this;
+    while (this.isDue(time)) this.hand!.set(this.coming.pop()!.push);
+    this.endQ.set(q);
+    this.endV.set(v);
     formulation.rebase(q, v);
     formulation.fromState(q, v, sample);
     stepper.reset(time, sample);
@@ -194,9 +232,14 @@ export class Simulation {
     });
   }
 
+  /** Whether the next of the pushes to come is there. */
+  private isDue(time: number): boolean {
+    return (this.coming.at(-1)?.time ?? Infinity) <= time + REACHED;
+  }
+
   private oneStep(): void {
     const { stepper, formulation, scenario, endQ: q, endV: v } = this;
-    const failure = stepper.step(scenario.duration);
+    const failure = stepper.step(Math.min(scenario.duration, this.horizon, this.coming.at(-1)?.time ?? Infinity));
     if (failure) return this.stop(failure, failureMessage(failure, stepper.t));
     if (this.projecting && !stepper.projects) {
       if (!this.projectEnd(stepper.t, stepper.y)) {
@@ -222,6 +265,7 @@ export class Simulation {
     }
     // Last, because the dense output of the step is in the old meaning of y.
     if (formulation.rebase(q, v)) this.restart();
+    while (this.isDue(stepper.t)) this.push(this.coming.pop()!.push);
   }
 
   /** Puts y, the end of a step, on the constraint manifold. */

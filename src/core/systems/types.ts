@@ -34,6 +34,8 @@ export interface ParameterMeta {
   positive?: boolean;
   group: string;
   note?: string;
+  /** Where the default comes from. */
+  source?: string;
 }
 
 export interface InputMeta {
@@ -96,6 +98,8 @@ export interface SystemMeta {
   inputs: readonly InputMeta[];
   /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
   speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
+  /** Which way is forward, where `speed` does not say it: the velocity along the heading is what gains are scheduled over. */
+  forward?: { along: readonly [string, string]; heading: string };
   /** Inputs that a regulator is first offered with; all of them where this is left out. */
   regulators?: readonly string[];
   bodies: readonly BodyMeta[];
@@ -138,6 +142,8 @@ export interface System extends SystemView {
   jacobians(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
   /** `out` = [kinetic, potential] in J. */
   energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Exact derivatives of `poses` by q (12 per body x n). Without it no body can be pushed. */
+  poseJacobian?(q: Float64Array, p: Float64Array, out: Float64Array): void;
   constraintSets: Readonly<Record<string, ConstraintSet>>;
   /**
    * A system of first order: f of `q' = f(q)` and df/dq (n x n). Its `mechanics` are then that equation's rate, M = 1 and

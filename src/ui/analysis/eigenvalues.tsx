@@ -9,6 +9,7 @@ import { clustersOf, eigenvalueText, modeRows, qualitiesOf, type Cluster, type M
 import type { StateName } from './names.ts';
 import { CROSS, Plane, type Place } from './plane.tsx';
 import { isWide } from './planeScale.ts';
+import { ShowMode } from './showMode.tsx';
 import { StateSymbol } from './stateSymbol.tsx';
 
 type Names = ReadonlyMap<string, StateName>;
@@ -35,9 +36,9 @@ export function Eigenvalues({ analysis, names }: { analysis: ControlAnalysis; na
       <Plane eigenvalues={rows.map((row) => row.eigenvalue)} logarithmic={logarithmic} label={words.plane(rows.length)} testId="eigenvalue-plane">
         {(place) => <Points clusters={clusters} names={names} place={place} pointed={pointed} />}
       </Plane>
-      <Detail row={rows.find((row) => row.key === pointed.value)} names={names} />
-      <ModeTable title={closed.length > 0 ? words.openLoop : ''} rows={open} names={names} pointed={pointed} testId="modes-open" />
-      {closed.length > 0 && <ModeTable title={words.closedLoop} rows={closed} names={names} pointed={pointed} testId="modes-closed" />}
+      <Detail row={rows.find((row) => row.key === pointed.value)} names={names} analysis={analysis} />
+      <ModeTable title={closed.length > 0 ? words.openLoop : ''} rows={open} names={names} analysis={analysis} pointed={pointed} testId="modes-open" />
+      {closed.length > 0 && <ModeTable title={words.closedLoop} rows={closed} names={names} analysis={analysis} pointed={pointed} testId="modes-closed" />}
     </Section>
   );
 }
@@ -127,7 +128,7 @@ function modeSentence(row: ModeRow, names: Names): string {
 }
 
 /** Always there, so that nothing jumps. */
-function Detail({ row, names }: { row: ModeRow | undefined; names: Names }) {
+function Detail({ row, names, analysis }: { row: ModeRow | undefined; names: Names; analysis: ControlAnalysis }) {
   if (!row) return <p class="mode-detail hint">{words.pointHint}</p>;
   const { frequency, damping, time, kind } = qualitiesOf(row.eigenvalue);
   return (
@@ -137,16 +138,17 @@ function Detail({ row, names }: { row: ModeRow | undefined; names: Names }) {
       {damping !== null && <span>{words.damping} {formatFixed(damping, 3)}</span>}
       <span>{words.kinds[kind]}{time === null ? '' : ` ${words.within(`${formatShort(time, 3)}${THIN}s`)}`}</span>
       <span class="movers">{row.moves.map((name) => names.get(name)?.label ?? name).join(', ')}</span>
+      <ShowMode row={row} analysis={analysis} words />
     </p>
   );
 }
 
-function ModeTable({ title, rows, names, pointed, testId }: { title: string; rows: readonly ModeRow[]; names: Names; pointed: Signal<string | null>; testId: string }) {
+function ModeTable({ title, rows, names, analysis, pointed, testId }: { title: string; rows: readonly ModeRow[]; names: Names; analysis: ControlAnalysis; pointed: Signal<string | null>; testId: string }) {
   return (
     <div class="table-scroll">
       <table class="modes" data-testid={testId}>
         {title && <caption>{title}</caption>}
-        <thead><tr>{words.modeColumns.map((column) => <th key={column} scope="col">{column}</th>)}</tr></thead>
+        <thead><tr>{words.modeColumns.map((column) => <th key={column} scope="col">{column}</th>)}<td /></tr></thead>
         <tbody>
           {rows.map((row) => {
             const { frequency, damping, time, kind } = qualitiesOf(row.eigenvalue);
@@ -158,6 +160,7 @@ function ModeTable({ title, rows, names, pointed, testId }: { title: string; row
                 <td class="number">{time === null ? '–' : formatShort(time, 3)}</td>
                 <td class={`kind ${kind}`}>{words.kinds[kind]}</td>
                 <td><Movers moves={row.moves} names={names} /></td>
+                <td class="mode-show"><ShowMode row={row} analysis={analysis} /></td>
               </tr>
             );
           })}

@@ -12,6 +12,8 @@ export interface ModeRow {
   /** Imaginary part not negative; parts that are rounding are 0. */
   eigenvalue: Complex;
   moves: readonly string[];
+  /** In all states. */
+  shape: readonly number[];
 }
 
 /** A real part within this share of the largest eigenvalue is rounding. */
@@ -22,7 +24,7 @@ export function modeRows(modes: readonly Mode[], loop: Loop): ModeRow[] {
   const scale = Math.max(0, ...modes.map(({ eigenvalue: [re, im] }) => Math.hypot(re, im)));
   return modes
     .filter((mode) => mode.eigenvalue[1] >= 0)
-    .map(({ eigenvalue: [re, im], moves }) => ({ eigenvalue: [Math.abs(re) <= ROUNDING * scale ? 0 : re, im] as Complex, moves }))
+    .map(({ eigenvalue: [re, im], moves, shape }) => ({ eigenvalue: [Math.abs(re) <= ROUNDING * scale ? 0 : re, im] as Complex, moves, shape }))
     .sort((a, b) => b.eigenvalue[0] - a.eigenvalue[0] || b.eigenvalue[1] - a.eigenvalue[1])
     .map((row, i) => ({ key: `${loop}-${i}`, loop, ...row }));
 }

@@ -8,6 +8,7 @@ export const bicycle: System = {
   mechanics: equations.mechanics,
   jacobians: equations.jacobians,
   energy: equations.energy,
+  poseJacobian: equations.poseJacobian,
   constraintSets: {
     rolling: {
       id: 'rolling',

@@ -67,3 +67,19 @@ export function energy(
   out[0] = (L * L)*m2*(theta_dot * theta_dot) - X_dot*theta_dot*x1 + m1*x0 + m2*x0;
   out[1] = gravity*x1;
 }
+
+/** Derivatives of `poses` by q (24 x 2). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[1]!;
+  const d1_x0 = -Math.sin(theta);
+  const d1_x1 = Math.cos(theta);
+  out.fill(0);
+  out[0] = 1;
+  out[24] = 1;
+  out[31] = d1_x0;
+  out[35] = -d1_x1;
+  out[43] = d1_x1;
+  out[47] = d1_x0;
+}

@@ -1,5 +1,7 @@
 import type { SystemMeta } from '../types.ts';
 
+const report = 'report, section 3.3.1';
+
 /** The pendulum on a cart (report 3.3.1, Eq. 17 to 19, Fig. 7): upright at theta = +90°. Names are the report's. */
 export const cartPendulumMeta = {
   id: 'cart-pendulum',
@@ -9,10 +11,10 @@ export const cartPendulumMeta = {
     { name: 'theta', symbol: 'θ', label: 'pendulum, from the horizontal', kind: 'angle', part: 'front', rest: Math.PI / 2 },
   ],
   parameters: [
-    { name: 'm1', symbol: 'm_1', label: 'cart mass', unit: 'kg', default: 0.3, positive: true, group: 'Cart' },
-    { name: 'm2', symbol: 'm_2', label: 'pendulum mass', unit: 'kg', default: 0.1, positive: true, group: 'Pendulum' },
-    { name: 'L', symbol: 'L', label: 'centre of mass from pivot', unit: 'm', default: 1, positive: true, group: 'Pendulum', note: 'also its radius of gyration about that centre' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World' },
+    { name: 'm1', symbol: 'm_1', label: 'cart mass', unit: 'kg', default: 0.3, positive: true, group: 'Cart', source: report },
+    { name: 'm2', symbol: 'm_2', label: 'pendulum mass', unit: 'kg', default: 0.1, positive: true, group: 'Pendulum', source: report },
+    { name: 'L', symbol: 'L', label: 'centre of mass from pivot', unit: 'm', default: 1, positive: true, group: 'Pendulum', note: 'also its radius of gyration about that centre', source: report },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', source: 'the earth’s, rounded' },
   ],
   parameterSets: {},
   constraintSets: [

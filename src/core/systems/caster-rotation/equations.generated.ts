@@ -52,3 +52,27 @@ export function energy(
   out[0] = (0.125)*casterMass*(theta_c_dot * theta_c_dot)*(4*(casterTrail * casterTrail) + (wheelRadius * wheelRadius));
   out[1] = casterMass*gravity*(-casterDrop*Math.cos(casterAngle) + casterTrail*Math.sin(casterAngle)*Math.cos(theta_c));
 }
+
+/** Derivatives of `poses` by q (12 x 1). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta_c = q[0]!;
+  const casterAngle = p[0]!;
+  const casterTrail = p[1]!;
+  const x0 = Math.sin(casterAngle);
+  const x1 = Math.cos(casterAngle);
+  const d0_x2 = -Math.sin(theta_c);
+  const d0_x3 = d0_x2*x1;
+  const d0_x4 = Math.cos(theta_c);
+  out.fill(0);
+  out[0] = -casterTrail*d0_x3;
+  out[1] = -casterTrail*d0_x4;
+  out[2] = casterTrail*d0_x2*x0;
+  out[3] = d0_x3;
+  out[4] = -d0_x4*x1;
+  out[6] = d0_x4;
+  out[7] = d0_x2;
+  out[9] = -d0_x2*x0;
+  out[10] = d0_x4*x0;
+}

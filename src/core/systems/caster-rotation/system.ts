@@ -7,5 +7,6 @@ export const casterRotation: System = {
   mechanics: equations.mechanics,
   jacobians: equations.jacobians,
   energy: equations.energy,
+  poseJacobian: equations.poseJacobian,
   constraintSets: {},
 };

@@ -230,6 +230,126 @@ export function energy(
   out[0] = J*x3 + (l1 * l1)*m2*x2 + m2*x0 + m2*x1 + (phi_f * phi_f)*x20 + (phi_f_dot * phi_f_dot)*x14 + (phi_r * phi_r)*x20 + (phi_r_dot * phi_r_dot)*x14 + x0*x4 + x1*x4 + x10*x6 + x10*x8 - x12*x6 - x12*x8 - x16*x17 - x16*x18 - x17*x19 - x18*x19 + x6*x7 - x7*x8;
 }
 
+/** Derivatives of `poses` by q (60 x 5). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[2]!;
+  const phi_f = q[3]!;
+  const phi_r = q[4]!;
+  const l1 = p[0]!;
+  const a = p[5]!;
+  const x1 = Math.cos(theta);
+  const x2 = Math.sin(theta);
+  const x7 = Math.cos(phi_f);
+  const x8 = Math.sin(phi_f);
+  const x9 = x2*x8;
+  const x10 = x1*x8;
+  const x13 = Math.cos(phi_r);
+  const x14 = Math.sin(phi_r);
+  const x15 = x14*x2;
+  const x16 = x1*x14;
+  const x17 = Math.tan(a);
+  const x18 = (x17 * x17);
+  const x19 = (1 / Math.sqrt(x18*(x8 * x8) + 1));
+  const x20 = x17*x19;
+  const x23 = (1 / Math.sqrt((x14 * x14)*x18 + 1));
+  const x24 = x17*x23;
+  const d2_x1 = -Math.sin(theta);
+  const d2_x2 = Math.cos(theta);
+  const d2_x3 = d2_x1*l1;
+  const d2_x5 = d2_x2*l1;
+  const d2_x9 = d2_x2*x8;
+  const d2_x10 = d2_x1*x8;
+  const d2_x11 = -d2_x3;
+  const d2_x12 = -d2_x5;
+  const d2_x15 = d2_x2*x14;
+  const d2_x16 = d2_x1*x14;
+  const d2_x21 = d2_x1*x19 - d2_x9*x20;
+  const d2_x22 = d2_x10*x20 + d2_x2*x19;
+  const d2_x25 = d2_x1*x23 - d2_x15*x24;
+  const d2_x26 = d2_x16*x24 + d2_x2*x23;
+  const d3_x7 = -Math.sin(phi_f);
+  const d3_x8 = Math.cos(phi_f);
+  const d3_x9 = d3_x8*x2;
+  const d3_x10 = d3_x8*x1;
+  const d3_x19 = -d3_x8*x18*x8/Math.pow(x18*(x8 * x8) + 1, 1.5);
+  const d3_x20 = d3_x19*x17;
+  const d3_x21 = d3_x19*x1 - d3_x20*x9 - d3_x9*x20;
+  const d3_x22 = d3_x10*x20 + d3_x19*x2 + d3_x20*x10;
+  const d4_x13 = -Math.sin(phi_r);
+  const d4_x14 = Math.cos(phi_r);
+  const d4_x15 = d4_x14*x2;
+  const d4_x16 = d4_x14*x1;
+  const d4_x23 = -d4_x14*x14*x18/Math.pow((x14 * x14)*x18 + 1, 1.5);
+  const d4_x24 = d4_x23*x17;
+  const d4_x25 = -d4_x15*x24 + d4_x23*x1 - d4_x24*x15;
+  const d4_x26 = d4_x16*x24 + d4_x23*x2 + d4_x24*x16;
+  out.fill(0);
+  out[0] = 1;
+  out[6] = 1;
+  out[17] = d2_x1;
+  out[22] = -d2_x2;
+  out[32] = d2_x2;
+  out[37] = d2_x1;
+  out[60] = 1;
+  out[62] = d2_x3;
+  out[66] = 1;
+  out[67] = d2_x5;
+  out[77] = d2_x1;
+  out[82] = -d2_x2*x7;
+  out[83] = -d3_x7*x2;
+  out[87] = -d2_x9;
+  out[88] = -d3_x9;
+  out[92] = d2_x2;
+  out[97] = d2_x1*x7;
+  out[98] = d3_x7*x1;
+  out[102] = d2_x10;
+  out[103] = d3_x10;
+  out[113] = -d3_x8;
+  out[118] = d3_x7;
+  out[120] = 1;
+  out[122] = d2_x11;
+  out[126] = 1;
+  out[127] = d2_x12;
+  out[137] = d2_x1;
+  out[142] = -d2_x2*x13;
+  out[144] = -d4_x13*x2;
+  out[147] = -d2_x15;
+  out[149] = -d4_x15;
+  out[152] = d2_x2;
+  out[157] = d2_x1*x13;
+  out[159] = d4_x13*x1;
+  out[162] = d2_x16;
+  out[164] = d4_x16;
+  out[174] = -d4_x14;
+  out[179] = d4_x13;
+  out[180] = 1;
+  out[182] = d2_x3;
+  out[186] = 1;
+  out[187] = d2_x5;
+  out[197] = d2_x21;
+  out[198] = d3_x21;
+  out[202] = -d2_x22;
+  out[203] = -d3_x22;
+  out[212] = d2_x22;
+  out[213] = d3_x22;
+  out[217] = d2_x21;
+  out[218] = d3_x21;
+  out[240] = 1;
+  out[242] = d2_x11;
+  out[246] = 1;
+  out[247] = d2_x12;
+  out[257] = d2_x25;
+  out[259] = d4_x25;
+  out[262] = -d2_x26;
+  out[264] = -d4_x26;
+  out[272] = d2_x26;
+  out[274] = d4_x26;
+  out[277] = d2_x25;
+  out[279] = d4_x25;
+}
+
 /** Omega (2 x 5) and gamma = Omega_dot v (2). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,

@@ -1,5 +1,7 @@
 import type { SystemMeta } from '../types.ts';
 
+const paper = 'Kinugasa et al. 2013';
+
 /**
  * The casterboard robot of Kinugasa, Ishikawa, Sugimoto and Osuka, "Modeling and Control of Casterboard Robot" (IFAC
  * NOLCOS 2013; the report's reference [19]): flat, its casters steered by the roll of its plates.
@@ -18,14 +20,14 @@ export const casterboardRobotMeta = {
     { name: 'phi_r', symbol: 'φ_r', label: 'rear plate, to the left', kind: 'angle', part: 'back' },
   ],
   parameters: [
-    { name: 'l1', symbol: 'l_1', label: 'caster from centre', unit: 'm', default: 0.095, positive: true, group: 'Board' },
-    { name: 'l2', symbol: 'l_2', label: 'weight from roll axis', unit: 'm', default: 0.115, positive: true, group: 'Weights' },
-    { name: 'm1', symbol: 'm_1', label: 'board mass', unit: 'kg', default: 1.29, positive: true, group: 'Board' },
-    { name: 'm2', symbol: 'm_2', label: 'mass of each weight', unit: 'kg', default: 0.29, positive: true, group: 'Weights' },
-    { name: 'J', symbol: 'J', label: 'board inertia about the vertical', unit: 'kg·m²', default: (1.29 * 0.095 ** 2) / 3, positive: true, group: 'Board', note: 'm₁ l₁² / 3 of the defaults; it does not follow l₁ and m₁' },
-    { name: 'a', symbol: 'a', label: 'caster angle', unit: 'rad', kind: 'angle', default: (7 * Math.PI) / 18, min: 0, max: 1.5, group: 'Board', note: 'ψ = atan(tan(a) sin(φ))' },
-    { name: 'c', symbol: 'c', label: 'drag', unit: 'N·s/m', default: 0.8, min: 0, group: 'Losses' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion' },
+    { name: 'l1', symbol: 'l_1', label: 'caster from centre', unit: 'm', default: 0.095, positive: true, group: 'Board', source: paper },
+    { name: 'l2', symbol: 'l_2', label: 'weight from roll axis', unit: 'm', default: 0.115, positive: true, group: 'Weights', source: paper },
+    { name: 'm1', symbol: 'm_1', label: 'board mass', unit: 'kg', default: 1.29, positive: true, group: 'Board', source: paper },
+    { name: 'm2', symbol: 'm_2', label: 'mass of each weight', unit: 'kg', default: 0.29, positive: true, group: 'Weights', source: paper },
+    { name: 'J', symbol: 'J', label: 'board inertia about the vertical', unit: 'kg·m²', default: (1.29 * 0.095 ** 2) / 3, positive: true, group: 'Board', note: 'm₁ l₁² / 3 of the defaults; it does not follow l₁ and m₁', source: 'Kinugasa et al. 2013, from J = m₁ l₁² / 3 in its text; its Table 1 prints ten times that, see the set “table”' },
+    { name: 'a', symbol: 'a', label: 'caster angle', unit: 'rad', kind: 'angle', default: (7 * Math.PI) / 18, min: 0, max: 1.5, group: 'Board', note: 'ψ = atan(tan(a) sin(φ))', source: paper },
+    { name: 'c', symbol: 'c', label: 'drag', unit: 'N·s/m', default: 0.8, min: 0, group: 'Losses', source: paper },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion', source: 'the earth’s, rounded; without effect here' },
   ],
   parameterSets: { text: {}, table: { J: 0.039 } },
   constraintSets: [

@@ -109,6 +109,22 @@ export function energy(
   out[0] = (0.5)*inertia*(theta_dot * theta_dot) + (0.5)*mass*(Math.pow(x0*Math.sin(theta) - x_dot, 2) + Math.pow(x0*Math.cos(theta) + y_dot, 2));
 }
 
+/** Derivatives of `poses` by q (12 x 3). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[2]!;
+  const d2_x0 = -Math.sin(theta);
+  const d2_x1 = Math.cos(theta);
+  out.fill(0);
+  out[0] = 1;
+  out[4] = 1;
+  out[11] = d2_x0;
+  out[14] = -d2_x1;
+  out[20] = d2_x1;
+  out[23] = d2_x0;
+}
+
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,

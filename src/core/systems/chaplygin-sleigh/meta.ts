@@ -1,5 +1,7 @@
 import type { SystemMeta } from '../types.ts';
 
+const own = 'chosen for this program, not published';
+
 /** A body on a blade that does not slip sideways, its centre of mass ahead of the blade (or behind, with a < 0). */
 export const chaplyginSleighMeta = {
   id: 'chaplygin-sleigh',
@@ -10,10 +12,10 @@ export const chaplyginSleighMeta = {
     { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'front' },
   ],
   parameters: [
-    { name: 'mass', symbol: 'm', label: 'mass', unit: 'kg', default: 1, positive: true, group: 'Sleigh' },
-    { name: 'a', symbol: 'a', label: 'centre of mass ahead of the blade', unit: 'm', default: 0.2, group: 'Sleigh' },
-    { name: 'inertia', symbol: 'I', label: 'inertia about the centre of mass', unit: 'kg·m²', default: 0.05, positive: true, group: 'Sleigh' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion' },
+    { name: 'mass', symbol: 'm', label: 'mass', unit: 'kg', default: 1, positive: true, group: 'Sleigh', source: own },
+    { name: 'a', symbol: 'a', label: 'centre of mass ahead of the blade', unit: 'm', default: 0.2, group: 'Sleigh', source: own },
+    { name: 'inertia', symbol: 'I', label: 'inertia about the centre of mass', unit: 'kg·m²', default: 0.05, positive: true, group: 'Sleigh', source: own },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion', source: 'the earth’s, rounded; without effect here' },
   ],
   parameterSets: {},
   constraintSets: [

@@ -1,5 +1,6 @@
 import type { SystemMeta } from '../types.ts';
 
+const authors = 'model of the report’s authors';
 const degree = Math.PI / 180;
 
 /** The board: five bodies, ten coordinates, four multipliers. Order and names are part of every file format. */
@@ -19,26 +20,26 @@ export const ripstikMeta = {
     { name: 'theta_bc', symbol: 'θ_bc', label: 'back caster steer', kind: 'angle', part: 'back' },
   ],
   parameters: [
-    { name: 'rodMass', symbol: 'm_r', label: 'rod mass', unit: 'kg', default: 2, min: 0, group: 'Rod' },
-    { name: 'rodLength', symbol: 'L_r', label: 'rod length', unit: 'm', default: 0.25, min: 0, group: 'Rod' },
-    { name: 'rodRadius', symbol: 'R_r', label: 'rod radius', unit: 'm', default: 0.02, min: 0, group: 'Rod' },
-    { name: 'plateMass', symbol: 'm_p', label: 'plate mass', unit: 'kg', default: 1, min: 0, group: 'Plates' },
-    { name: 'plateLength', symbol: 'L_p', label: 'plate length', unit: 'm', default: 0.36, min: 0, group: 'Plates' },
-    { name: 'plateWidth', symbol: 'W_p', label: 'plate width', unit: 'm', default: 0.22, min: 0, group: 'Plates' },
-    { name: 'plateThickness', symbol: 'T_p', label: 'plate thickness', unit: 'm', default: 0.05, min: 0, group: 'Plates' },
-    { name: 'plateOffset', symbol: 'd_p', label: 'plate centre from rod centre', unit: 'm', default: 0.26, min: 0, group: 'Plates' },
-    { name: 'pivotDrop', symbol: 'd_v', label: 'caster pivot below plate centre', unit: 'm', default: 0.05, group: 'Casters' },
-    { name: 'casterAngle', symbol: 'φ', label: 'caster angle', unit: 'rad', kind: 'angle', default: 30 * degree, group: 'Casters', note: 'tilt of the steering axis about y; its lower end points backwards' },
-    { name: 'casterTrail', symbol: 'c', label: 'caster trail', unit: 'm', default: 0.04, group: 'Casters', note: 'positive: the wheel is behind its pivot' },
-    { name: 'casterDrop', symbol: 'd_c', label: 'skate point below pivot', unit: 'm', default: 0.06, group: 'Casters' },
-    { name: 'casterMass', symbol: 'm_c', label: 'caster mass', unit: 'kg', default: 0.5, min: 0, group: 'Casters' },
-    { name: 'wheelRadius', symbol: 'R_w', label: 'wheel radius', unit: 'm', default: 0.04, min: 0, group: 'Casters' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World' },
-    { name: 'torsionStiffness', symbol: 'k_t', label: 'torsion bar stiffness', unit: 'N·m/rad', default: 0, min: 0, group: 'Springs and losses' },
-    { name: 'torsionDamping', symbol: 'c_t', label: 'torsion bar damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses' },
-    { name: 'jointDamping', symbol: 'c_j', label: 'plate joint damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses' },
-    { name: 'casterDamping', symbol: 'c_c', label: 'caster bearing damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses' },
-    { name: 'wheelDrag', symbol: 'c_w', label: 'wheel drag', unit: 'N·s/m', default: 0, min: 0, group: 'Springs and losses' },
+    { name: 'rodMass', symbol: 'm_r', label: 'rod mass', unit: 'kg', default: 2, min: 0, group: 'Rod', source: authors },
+    { name: 'rodLength', symbol: 'L_r', label: 'rod length', unit: 'm', default: 0.25, min: 0, group: 'Rod', source: authors },
+    { name: 'rodRadius', symbol: 'R_r', label: 'rod radius', unit: 'm', default: 0.02, min: 0, group: 'Rod', source: authors },
+    { name: 'plateMass', symbol: 'm_p', label: 'plate mass', unit: 'kg', default: 1, min: 0, group: 'Plates', source: authors },
+    { name: 'plateLength', symbol: 'L_p', label: 'plate length', unit: 'm', default: 0.36, min: 0, group: 'Plates', source: authors },
+    { name: 'plateWidth', symbol: 'W_p', label: 'plate width', unit: 'm', default: 0.22, min: 0, group: 'Plates', source: authors },
+    { name: 'plateThickness', symbol: 'T_p', label: 'plate thickness', unit: 'm', default: 0.05, min: 0, group: 'Plates', source: authors },
+    { name: 'plateOffset', symbol: 'd_p', label: 'plate centre from rod centre', unit: 'm', default: 0.26, min: 0, group: 'Plates', source: authors },
+    { name: 'pivotDrop', symbol: 'd_v', label: 'caster pivot below plate centre', unit: 'm', default: 0.05, group: 'Casters', source: authors },
+    { name: 'casterAngle', symbol: 'φ', label: 'caster angle', unit: 'rad', kind: 'angle', default: 30 * degree, group: 'Casters', note: 'tilt of the steering axis about y; its lower end points backwards', source: authors },
+    { name: 'casterTrail', symbol: 'c', label: 'caster trail', unit: 'm', default: 0.04, group: 'Casters', note: 'positive: the wheel is behind its pivot', source: 'size from the model of the report’s authors; its sign is the product’s, theirs is in the set “authors”' },
+    { name: 'casterDrop', symbol: 'd_c', label: 'skate point below pivot', unit: 'm', default: 0.06, group: 'Casters', source: authors },
+    { name: 'casterMass', symbol: 'm_c', label: 'caster mass', unit: 'kg', default: 0.5, min: 0, group: 'Casters', source: authors },
+    { name: 'wheelRadius', symbol: 'R_w', label: 'wheel radius', unit: 'm', default: 0.04, min: 0, group: 'Casters', source: authors },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', source: 'the earth’s, rounded' },
+    { name: 'torsionStiffness', symbol: 'k_t', label: 'torsion bar stiffness', unit: 'N·m/rad', default: 0, min: 0, group: 'Springs and losses', source: 'none, as the report assumes' },
+    { name: 'torsionDamping', symbol: 'c_t', label: 'torsion bar damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses', source: 'none, as the report assumes' },
+    { name: 'jointDamping', symbol: 'c_j', label: 'plate joint damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses', source: 'none, as the report assumes' },
+    { name: 'casterDamping', symbol: 'c_c', label: 'caster bearing damping', unit: 'N·m·s/rad', default: 0, min: 0, group: 'Springs and losses', source: 'none, as the report assumes' },
+    { name: 'wheelDrag', symbol: 'c_w', label: 'wheel drag', unit: 'N·s/m', default: 0, min: 0, group: 'Springs and losses', source: 'none, as the report assumes' },
   ],
   parameterSets: { street: {}, authors: { casterTrail: -0.04 } },
   constraintSets: [
@@ -54,6 +55,7 @@ export const ripstikMeta = {
     { name: 'tau_bc', symbol: 'τ_bc', label: 'back steering motor', unit: 'N·m', column: { theta_bc: 1 }, tracks: ['theta_bc'] },
   ],
   regulators: ['tau_fc', 'tau_bc'],
+  forward: { along: ['X_dot', 'Y_dot'], heading: 'theta' },
   bodies: [
     { id: 'rod', label: 'rod', part: 'board' },
     { id: 'front-plate', label: 'front plate', part: 'front' },

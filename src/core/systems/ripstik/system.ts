@@ -68,6 +68,7 @@ export const ripstik: System = {
     }
   },
   energy: equations.energy,
+  poseJacobian: equations.poseJacobian,
   constraintSets: { rolling, report },
   /** Lowest corner of the two plates' prisms. */
   clearance(q, p) {

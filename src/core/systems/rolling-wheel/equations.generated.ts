@@ -41,6 +41,37 @@ export function energy(
   out[0] = (0.5)*Jroll*(theta_dot * theta_dot) + (0.5)*Jspin*(phi_dot * phi_dot) + (X_dot * X_dot)*x0 + (Y_dot * Y_dot)*x0;
 }
 
+/** Derivatives of `poses` by q (12 x 4). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[2]!;
+  const phi = q[3]!;
+  const x0 = Math.cos(phi);
+  const x1 = Math.cos(theta);
+  const x2 = Math.sin(theta);
+  const x3 = Math.sin(phi);
+  const d2_x1 = -Math.sin(theta);
+  const d2_x2 = Math.cos(theta);
+  const d3_x0 = -Math.sin(phi);
+  const d3_x3 = Math.cos(phi);
+  out.fill(0);
+  out[0] = 1;
+  out[5] = 1;
+  out[14] = d2_x1*x0;
+  out[15] = d3_x0*x1;
+  out[18] = -d2_x2;
+  out[22] = d2_x1*x3;
+  out[23] = d3_x3*x1;
+  out[26] = d2_x2*x0;
+  out[27] = d3_x0*x2;
+  out[30] = d2_x1;
+  out[34] = d2_x2*x3;
+  out[35] = d3_x3*x2;
+  out[39] = -d3_x3;
+  out[47] = d3_x0;
+}
+
 /** Omega (2 x 4) and gamma = Omega_dot v (2). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,

@@ -1,5 +1,7 @@
 import type { SystemMeta } from '../types.ts';
 
+const report = 'report, section 3.4.1';
+
 /** A wheel that rolls upright without slipping (report 3.4.1, Eq. 21 to 25, Fig. 11 and 12). Names are the report's. */
 export const rollingWheelMeta = {
   id: 'rolling-wheel',
@@ -11,11 +13,11 @@ export const rollingWheelMeta = {
     { name: 'phi', symbol: 'φ', label: 'rolled angle', kind: 'angle', part: 'back' },
   ],
   parameters: [
-    { name: 'm', symbol: 'm', label: 'wheel mass', unit: 'kg', default: 1, positive: true, group: 'Wheel' },
-    { name: 'rho', symbol: 'ρ', label: 'wheel radius', unit: 'm', default: 1, positive: true, group: 'Wheel' },
-    { name: 'Jroll', symbol: 'J_roll', label: 'inertia about the vertical', unit: 'kg·m²', default: 1, positive: true, group: 'Wheel' },
-    { name: 'Jspin', symbol: 'J_spin', label: 'inertia about the axle', unit: 'kg·m²', default: 1, positive: true, group: 'Wheel' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion' },
+    { name: 'm', symbol: 'm', label: 'wheel mass', unit: 'kg', default: 1, positive: true, group: 'Wheel', source: report },
+    { name: 'rho', symbol: 'ρ', label: 'wheel radius', unit: 'm', default: 1, positive: true, group: 'Wheel', source: report },
+    { name: 'Jroll', symbol: 'J_roll', label: 'inertia about the vertical', unit: 'kg·m²', default: 1, positive: true, group: 'Wheel', source: report },
+    { name: 'Jspin', symbol: 'J_spin', label: 'inertia about the axle', unit: 'kg·m²', default: 1, positive: true, group: 'Wheel', source: report },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', note: 'acts across the level ground: it does not change the motion', source: 'the earth’s, rounded; without effect here' },
   ],
   parameterSets: {},
   constraintSets: [

@@ -8,5 +8,6 @@ export const rollingWheel: System = {
   mechanics: equations.mechanics,
   jacobians: equations.jacobians,
   energy: equations.energy,
+  poseJacobian: equations.poseJacobian,
   constraintSets: { rolling: rollingRows(equations, 2) },
 };

@@ -9,7 +9,7 @@ export const stiffDecayMeta = {
     { name: 'y', symbol: 'y', label: 'value', kind: 'length', part: 'board', rest: 1 },
   ],
   parameters: [
-    { name: 'rate', symbol: 'k', label: 'rate of decay', unit: '1/s', default: 15, group: 'Decay', note: 'y′ = −rate · y' },
+    { name: 'rate', symbol: 'k', label: 'rate of decay', unit: '1/s', default: 15, group: 'Decay', note: 'y′ = −rate · y', source: 'report, Fig. 13' },
   ],
   parameterSets: {},
   constraintSets: [

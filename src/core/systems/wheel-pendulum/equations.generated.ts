@@ -75,6 +75,29 @@ export function energy(
   out[1] = gravity*mP*(rho - x1);
 }
 
+/** Derivatives of `poses` by q (24 x 3). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const phi = q[1]!;
+  const psi = q[2]!;
+  const d1_x0 = -Math.sin(phi);
+  const d1_x1 = Math.cos(phi);
+  const d2_x2 = -Math.sin(psi);
+  const d2_x3 = Math.cos(psi);
+  out.fill(0);
+  out[0] = 1;
+  out[10] = d1_x0;
+  out[16] = d1_x1;
+  out[28] = -d1_x1;
+  out[34] = d1_x0;
+  out[36] = 1;
+  out[47] = d2_x2;
+  out[53] = d2_x3;
+  out[65] = -d2_x3;
+  out[71] = d2_x2;
+}
+
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,

@@ -1,5 +1,7 @@
 import type { SystemMeta } from '../types.ts';
 
+const report = 'report, section 3.5';
+
 /** A wheel that rolls in a plane with a pendulum at its hub (report 3.5, Eq. 27 to 34): upright at psi = -90°. Names are the report's. */
 export const wheelPendulumMeta = {
   id: 'wheel-pendulum',
@@ -10,12 +12,12 @@ export const wheelPendulumMeta = {
     { name: 'psi', symbol: 'ψ', label: 'pendulum, from the horizontal', kind: 'angle', part: 'front', rest: -Math.PI / 2 },
   ],
   parameters: [
-    { name: 'rho', symbol: 'ρ', label: 'wheel radius', unit: 'm', default: 0.5, positive: true, group: 'Wheel' },
-    { name: 'm', symbol: 'm', label: 'wheel mass', unit: 'kg', default: 3, positive: true, group: 'Wheel' },
-    { name: 'mP', symbol: 'm_P', label: 'pendulum mass', unit: 'kg', default: 1, positive: true, group: 'Pendulum' },
-    { name: 'Jspin', symbol: 'J_spin', label: 'wheel inertia about the axle', unit: 'kg·m²', default: 2, positive: true, group: 'Wheel' },
-    { name: 'L', symbol: 'L', label: 'centre of mass from hub', unit: 'm', default: 1, positive: true, group: 'Pendulum', note: 'a thin rod of length 2 L' },
-    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World' },
+    { name: 'rho', symbol: 'ρ', label: 'wheel radius', unit: 'm', default: 0.5, positive: true, group: 'Wheel', source: report },
+    { name: 'm', symbol: 'm', label: 'wheel mass', unit: 'kg', default: 3, positive: true, group: 'Wheel', source: report },
+    { name: 'mP', symbol: 'm_P', label: 'pendulum mass', unit: 'kg', default: 1, positive: true, group: 'Pendulum', source: report },
+    { name: 'Jspin', symbol: 'J_spin', label: 'wheel inertia about the axle', unit: 'kg·m²', default: 2, positive: true, group: 'Wheel', source: report },
+    { name: 'L', symbol: 'L', label: 'centre of mass from hub', unit: 'm', default: 1, positive: true, group: 'Pendulum', note: 'a thin rod of length 2 L', source: report },
+    { name: 'gravity', symbol: 'g', label: 'gravity', unit: 'm/s²', default: 9.81, group: 'World', source: 'the earth’s, rounded' },
   ],
   parameterSets: {},
   constraintSets: [

@@ -1,0 +1,23 @@
+/** What every part of the equations shares. */
+import type { Signal } from '@preact/signals';
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+import type { SystemView } from '../../core/systems/types.ts';
+import type { Typeset } from '../../core/systems/typeset.ts';
+
+export interface Book {
+  view: SystemView;
+  typeset: Typeset;
+  /** The mark that is pointed at, or null. */
+  pointed: Signal<string | null>;
+  /** Reads out what happened. */
+  said: Signal<string>;
+}
+
+export const BookContext = createContext<Book | null>(null);
+
+export function useBook(): Book {
+  const book = useContext(BookContext);
+  if (!book) throw new Error('useBook outside of EquationsTool');
+  return book;
+}

@@ -23,7 +23,7 @@ export interface SweepResult {
 }
 
 /** Signals are renewed this often at most, however fast results come. */
-const TELL_MS = 100;
+const TELL_MS = 200;
 
 /** Computes a sweep aside, a worker a core but one; what has come so far is there at any time. */
 export class Sweep {

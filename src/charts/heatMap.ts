@@ -87,10 +87,12 @@ function draw(host: HTMLElement, canvas: HTMLCanvasElement, data: HeatMapData, s
   const { clientWidth: width, clientHeight: height } = host;
   if (width < LEFT + RIGHT + 20 || height < TOP + BOTTOM + 20) return;
   const density = devicePixelRatio || 1;
-  canvas.width = Math.round(width * density);
-  canvas.height = Math.round(height * density);
+  const [w, h] = [Math.round(width * density), Math.round(height * density)];
+  // Setting a size takes a new picture's memory, even where it is the same.
+  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
   const context = canvas.getContext('2d')!;
   context.setTransform(density, 0, 0, density, 0, 0);
+  context.clearRect(0, 0, width, height);
   const style = getComputedStyle(host);
   const colour = (name: string): string => style.getPropertyValue(name).trim();
   const [low, high] = rangeOf(data.values);

@@ -52,7 +52,13 @@ export function rootLocus(family: Family, values: readonly number[]): RootLocus 
   const branches = track(samples.map((s) => s.spectrum));
   const critical: CriticalValue[] = [];
   const width = FINISH * Math.max(...samples.map((s) => Math.abs(s.value)));
-  for (let i = 1; i < samples.length; i++) critical.push(...crossings(family, samples[i - 1]!, samples[i]!, width));
+  let last = samples[0];
+  for (let i = 1; i < samples.length; i++) {
+    const [here, next] = [samples[i]!, samples[i + 1]];
+    const through = next && isTouch(here, last!, next) ? passing(family, here, width) : null;
+    critical.push(...crossings(family, last!, through?.before ?? here, width), ...(through?.crossing ?? []));
+    last = through?.after ?? here;
+  }
   return { values: samples.map((s) => s.value), branches, critical };
 }
 
@@ -61,6 +67,8 @@ interface Sample {
   spectrum: Complex[];
   size: number;
   unstable: number;
+  /** Number of exact zeros. */
+  neutral: number;
 }
 
 function sampleAt(family: Family, value: number): Sample | null {
@@ -68,7 +76,20 @@ function sampleAt(family: Family, value: number): Sample | null {
   if (!A) return null;
   const size = norm(A);
   const spectrum = eigenvalues(A);
-  return { value, spectrum, size, unstable: spectrum.filter(([re]) => re > NEUTRAL * size).length };
+  return { value, spectrum, size, unstable: spectrum.filter(([re]) => re > NEUTRAL * size).length, neutral: spectrum.filter(isZero).length };
+}
+
+/** Several modes stand still at one value alone (a caster without trail, a board at rest): the number of growing ones there is that of neither side. */
+function isTouch(here: Sample, a: Sample, b: Sample): boolean {
+  return here.neutral > Math.max(a.neutral, b.neutral);
+}
+
+/** The samples on both sides of such a value, and the crossing there if the numbers differ. */
+function passing(family: Family, { value }: Sample, width: number): { before: Sample; after: Sample; crossing: CriticalValue[] } | null {
+  const [before, after] = [sampleAt(family, value - width), sampleAt(family, value + width)];
+  if (!before || !after) return null;
+  const changes = before.unstable !== after.unstable;
+  return { before, after, crossing: changes ? [{ value, eigenvalue: [0, 0], unstableBelow: before.unstable, unstableAbove: after.unstable }] : [] };
 }
 
 /** Samples between two, until neighbours are close. */
@@ -146,6 +167,8 @@ function crossings(family: Family, a: Sample, b: Sample, width: number): Critica
   const middle = 0.5 * (a.value + b.value);
   // The number is decided a little off the axis: stop where that starts to matter, and finish on the real part itself.
   const m = b.value - a.value > width ? sampleAt(family, middle) : null;
+  const through = m && isTouch(m, a, b) ? passing(family, m, width) : null;
+  if (through) return [...crossings(family, a, through.before, width), ...through.crossing, ...crossings(family, through.after, b, width)];
   if (m) return [...crossings(family, a, m, width), ...crossings(family, m, b, width)];
   return [{ ...finish(family, a, b), unstableBelow: a.unstable, unstableAbove: b.unstable }];
 }

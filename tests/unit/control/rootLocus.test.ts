@@ -101,6 +101,19 @@ describe('the board', () => {
     expect(critical[0]).toMatchObject({ unstableBelow: 6, unstableAbove: 4 });
   });
 
+  test.each([
+    [0, [[-0.06797, 2, 4], [0, 4, 2]]],
+    [1, [[-0.06815, 6, 4], [0.000511, 4, 2]]],
+  ])('a caster without trail, at %d m/s: modes that stand still at one value alone are no crossing of their own', (X_dot, expected) => {
+    const trail: OneOpen = { plant, at: X_dot ? { X_dot } : {}, varied: { kind: 'parameter', name: 'casterTrail' } };
+    // With zero among the values, and between two of them.
+    for (const count of [21, 20]) {
+      const { critical } = rootLocus(openLoopFamily(trail), grid(-0.1, 0.1, count));
+      expect(critical.map((c) => [c.unstableBelow, c.unstableAbove])).toEqual(expected.map(([, below, above]) => [below, above]));
+      critical.forEach((c, i) => expect(Math.abs(c.value - expected[i]![0]!)).toBeLessThan(1e-5));
+    }
+  });
+
   test('a gain of 1 m/s stabilizes over a range of speeds whose ends are critical values', () => {
     const { gain } = designFamily(bySpeed, motors, weights)(1);
     const { critical } = rootLocus(closedLoopFamily(bySpeed, motors, gain), grid(0.2, 6, 30));

@@ -5,7 +5,7 @@ import type { SystemMeta } from '../core/systems/types.ts';
 import { systemViews } from '../core/systems/views.ts';
 import { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { Push } from '../core/simulation/push.ts';
-import { followGrab, horizonOf, PUSHED, pushesUpTo, withMark } from './livePush.ts';
+import { followGrab, horizonOf, PUSHED, pushesUpTo, withMark } from './hand.ts';
 import type { Messages } from './messages.ts';
 import type { RunClient } from './runClient.ts';
 import type { AppState, Motion } from './types.ts';

@@ -9,7 +9,7 @@ import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
-import { pushComments } from './livePush.ts';
+import { pushComments } from './hand.ts';
 import { LocusClient } from './locusClient.ts';
 import { Messages } from './messages.ts';
 import { runPlaybackClock } from './playbackClock.ts';

@@ -1,7 +1,7 @@
 // A hand on the run that is watched: the page's store and the run's worker, on one thread; the display's clock is turned by hand.
 import { beforeAll, expect, test, vi } from 'vitest';
 import type { Comparison } from '../../src/app/comparison.ts';
-import { pushComments } from '../../src/app/livePush.ts';
+import { pushComments } from '../../src/app/hand.ts';
 import { createApp } from '../../src/app/store.ts';
 import type { App } from '../../src/app/types.ts';
 import type { Push } from '../../src/core/simulation/push.ts';

@@ -17,7 +17,7 @@ const QUIET_MS = 300;
 const SCENE_ONLY = `
   .stage { position: fixed !important; inset: 0; z-index: 1000; }
   .stage > :not(canvas) { display: none !important; }
-  .messages, .tour, .first-minute { display: none !important; }`;
+  .messages, .tour, .offer { display: none !important; }`;
 
 export async function casePictures(browser, address, wanted) {
   mkdirSync(join(root, 'public/cases'), { recursive: true });
@@ -84,7 +84,8 @@ async function quiet(page) {
   }, QUIET_MS);
 }
 
-async function webp(page, png, { width, height }, quality) {
+/** A PNG as WebP of this size, made by the browser. */
+export async function webp(page, png, { width, height }, quality) {
   const url = await page.evaluate(async ([source, w, h, share]) => {
     const image = new Image();
     image.src = source;

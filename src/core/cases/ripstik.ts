@@ -77,7 +77,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Falling board (Fig. 14 to 17)',
     source: 'Report, section 3.4.4, Fig. 14 to 17',
     look: 'As the report has it, the board swings through the ground and back; its best method took 26.4 s for these 5.8 s. Not reproduced are the depth of Fig. 14 and the return by 1.4 s of Fig. 15: with the corrected equations the plates do not come back together.',
-    picture: { time: 0.32 },
+    picture: { time: 0.3 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -90,7 +90,7 @@ export const ripstikCases: readonly Case[] = [
     figure: 'Fig. 14 to 17',
     figures: [
       { title: 'Fig. 17: upright at first', time: 0 },
-      { title: 'Fig. 17: fallen over', time: 0.32 },
+      { title: 'Fig. 17: fallen over', time: 0.3 },
     ],
     chapter: '3.4.4',
     published: [
@@ -179,7 +179,7 @@ export const ripstikCases: readonly Case[] = [
     source: '',
     look: 'Ten degrees of lean without a push: both feet roll the plates upright again, and the casters swing out and back. At rest a board is held up by its rider alone.',
     chapter: '3.5',
-    picture: { time: 0.3, view: 'front' },
+    picture: { time: 0.1 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -236,7 +236,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Holds its speed on a circle',
     source: '',
     look: 'Feet twist the plates to and fro by 9.6° at 2 Hz about a twist of 3.8°. Against the drag of the wheels that holds 1 m/s, from whatever speed it starts, on a circle 4 m across.',
-    picture: { time: 12.5, distance: 2.2 },
+    picture: { time: 10.5, distance: 1.5 },
     scenario: {
       version: 1,
       system: 'ripstik',

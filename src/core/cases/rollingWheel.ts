@@ -29,7 +29,7 @@ export const rollingWheelCases: readonly Case[] = [
     source: 'Report, section 3.4.1',
     chapter: '3.4.1',
     look: 'A wheel that also turns draws a circle of radius ρ φ′ / θ′; the constraint forces hold it on it and do no work.',
-    picture: { time: 5, distance: 2 },
+    picture: { time: 5, distance: 1.4 },
     scenario: { version: 1, system: 'rolling-wheel', initial: { theta: 1.2, phi_dot: 3, theta_dot: 1 }, method: tight, duration: 7 },
     published: [
       { what: 'diameter', measure: { kind: 'diameter', x: 'X', y: 'Y' }, value: 6, unit: 'm', tolerance: 1e-9, source: closedForm },

@@ -1,11 +1,12 @@
 import { effect, signal, type Signal } from '@preact/signals';
 import { bodyPoint, canPush, firmness, pull } from './app/hand.ts';
 import { ghostsAt } from './app/ghosts.ts';
+import type { Studio } from './app/studio.ts';
 import type { Stage } from './app/stage.ts';
 import type { App, Motion } from './app/types.ts';
 import { boardBodies, boardShape, boardStage } from './core/models/board.ts';
 import type { Drawing } from './core/models/drawing.ts';
-import type { MeshPair, SceneOptions, SceneView } from './scene/contract.ts';
+import type { Dressed, MeshPair, SceneOptions, SceneView } from './scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
 export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: Stage, problem: Signal<string | null>): Promise<void> {
@@ -34,6 +35,11 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
   effect(() => view.setFollow(state.follow.value));
   effect(() => view.setView(state.view.value));
   const dressed = dress(app, view);
+  const studio: Studio = {
+    open: async (plan) => (await import('./studio.ts')).openShot(app, view, dressed.peek(), plan),
+    glb: async (plan) => (await import('./studio.ts')).writeGlb(app, dressed.peek(), plan),
+  };
+  effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
   effect(() => {
     const sampler = stage.sampler.value;
     const motion = state.motion.value;
@@ -101,8 +107,8 @@ function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
 }
 
 /** Meshes follow the motion's proportions and the person's own files. Says whose are on the stage; a new object with every change. */
-function dress(app: App, view: SceneView): Signal<{ system: string | null }> {
-  const dressed = signal<{ system: string | null }>({ system: null });
+function dress(app: App, view: SceneView): Signal<Dressed> {
+  const dressed = signal<Dressed>({ system: null, models: {}, cast: null });
   let wearing = '';
   let turn = 0;
   /** The person's files that last fitted; a bad one gives way to them. */
@@ -123,9 +129,10 @@ function dress(app: App, view: SceneView): Signal<{ system: string | null }> {
         try {
           const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
           const named = bodies.map((body) => ({ ...body, label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id }));
-          view.setModels(Object.fromEntries(worn) as Record<string, MeshPair>, { id, bodies: named, fixtures, stage });
+          const [models, cast] = [Object.fromEntries(worn) as Record<string, MeshPair>, { id, bodies: named, fixtures, stage }];
+          view.setModels(models, cast);
           good = own;
-          dressed.value = { system: id };
+          dressed.value = { system: id, models, cast };
         } catch (error) {
           app.state.meshes.value = good;
           app.actions.report('error', 'The mesh could not be shown', [(error as Error).message, 'The bodies on the stage are as before.']);

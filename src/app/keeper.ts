@@ -3,7 +3,7 @@ import { batch, effect, type Signal } from '@preact/signals';
 import { modelsOf } from '../core/models/roster.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { text } from '../text/keep.ts';
-import { fromText, toText, workOf, type Kept, type Settings, type Work } from './keptWork.ts';
+import { fromText, LOOKS, toText, workOf, type Kept, type Settings, type Work } from './keptWork.ts';
 import type { Shelf } from './shelf.ts';
 import type { App, AppState } from './types.ts';
 
@@ -138,8 +138,8 @@ export class Keeper {
   }
 
   private watched(): readonly Signal<unknown>[] {
-    const { draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots } = this.app.state;
-    return [draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots];
+    const { draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots, look } = this.app.state;
+    return [...LOOKS.map((name) => look[name]), look.quality, draft, drafts, origin, theme, tool, view, follow, showTrails, showForces, loop, speed, motion, plots];
   }
 
   private write(): void {
@@ -156,14 +156,16 @@ export class Keeper {
   }
 
   private settings(): Settings {
-    const { theme, tool, view, follow, showTrails, showForces, loop, speed, plots } = this.app.state;
+    const { theme, tool, view, follow, showTrails, showForces, loop, speed, plots, look } = this.app.state;
     const plain = Object.entries({ theme, tool, view, follow, showTrails, showForces, loop, speed, plots });
-    return Object.fromEntries(plain.map(([name, signal]) => [name, signal.peek()])) as Settings;
+    const { speed: speedBefore, loop: loopBefore } = this.app.state.aside.peek() ?? { speed: speed.peek(), loop: loop.peek() };
+    return { ...(Object.fromEntries(plain.map(([name, signal]) => [name, signal.peek()])) as Settings), speed: speedBefore, loop: loopBefore, look: { ...Object.fromEntries(LOOKS.map((name) => [name, look[name].peek()])), quality: look.quality.peek() } };
   }
 
-  private putSettings(settings: Settings): void {
+  private putSettings({ look = {}, ...settings }: Settings): void {
     batch(() => {
-      for (const [name, value] of Object.entries(settings)) (this.app.state[name as keyof Settings] as Signal<unknown>).value = value;
+      for (const [name, value] of Object.entries(look)) (this.app.state.look[name as keyof typeof look] as Signal<unknown>).value = value;
+      for (const [name, value] of Object.entries(settings)) (this.app.state[name as keyof typeof settings] as Signal<unknown>).value = value;
     });
   }
 

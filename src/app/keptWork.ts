@@ -8,7 +8,9 @@ import type { AppState, CaseInfo, PlotsState, ViewName } from './types.ts';
 export const KEPT_VERSION = 1;
 /** Characters; the drafts of all systems have a few thousand. */
 const LONGEST = 2e6;
-const VIEWS: readonly ViewName[] = ['orbit', 'front', 'side', 'top', 'caster'];
+const VIEWS: Readonly<Record<ViewName, true>> = { orbit: true, front: true, side: true, top: true, caster: true, rider: true };
+
+export const isView = (name: unknown): name is ViewName => typeof name === 'string' && Object.hasOwn(VIEWS, name);
 
 /** What is being worked on. */
 export interface Work {
@@ -30,7 +32,11 @@ export interface Settings {
   loop?: boolean;
   speed?: number;
   plots?: PlotsState;
+  look?: { [name in (typeof LOOKS)[number]]?: boolean } & { quality?: 'auto' | 'low' | 'high' };
 }
+
+/** What of the look is kept. */
+export const LOOKS = ['names', 'frames', 'inset', 'level'] as const;
 
 export interface Kept {
   work: Work;
@@ -44,7 +50,8 @@ interface Known {
 }
 
 export function workOf(state: AppState): Work {
-  const motion = state.motion.peek();
+  // A mode only stands in for the motion before it.
+  const motion = (state.aside.peek() ?? { motion: state.motion.peek() }).motion;
   return { draft: state.draft.peek(), origin: state.origin.peek(), drafts: state.drafts.peek(), file: motion?.source === 'file' ? motion.title : null };
 }
 
@@ -99,10 +106,20 @@ function settingsOf(raw: Record<string, unknown>, { toolIds }: Known): Settings 
   return {
     ...(theme === 'light' || theme === 'dark' ? { theme } : {}),
     ...(tool === null || toolIds.includes(tool as string) ? { tool: tool as string | null } : {}),
-    ...(VIEWS.includes(view as ViewName) ? { view: view as ViewName } : {}),
+    ...(isView(view) ? { view } : {}),
     ...Object.fromEntries(switches.map((name) => [name, raw[name]])),
     ...(typeof speed === 'number' && speed >= 1 / 256 && speed <= 64 ? { speed } : {}),
     ...(plots ? { plots } : {}),
+    look: lookOf(raw['look']),
+  };
+}
+
+function lookOf(raw: unknown): NonNullable<Settings['look']> {
+  const look = raw === undefined ? {} : recordOf(raw);
+  const { quality } = look;
+  return {
+    ...Object.fromEntries(LOOKS.filter((name) => typeof look[name] === 'boolean').map((name) => [name, look[name]])),
+    ...(quality === 'auto' || quality === 'low' || quality === 'high' ? { quality } : {}),
   };
 }
 

@@ -5,13 +5,11 @@ import { difference } from '../core/share/patch.ts';
 import type { SystemMeta } from '../core/systems/types.ts';
 import { shareText as text } from '../text/keep.ts';
 import type { Keeper } from './keeper.ts';
-import { workOf, type Work } from './keptWork.ts';
+import { isView, workOf, type Work } from './keptWork.ts';
 import { isPlain, plotsFrom } from './plotsShape.ts';
-import type { App, CaseInfo, ViewName } from './types.ts';
+import type { App, CaseInfo } from './types.ts';
 
 type Metas = Readonly<Record<string, SystemMeta>>;
-
-const VIEWS: readonly string[] = ['orbit', 'front', 'side', 'top', 'caster'] satisfies readonly ViewName[];
 
 /**
  * The text after `#` for what is in the panel; the playback time with it when it stands still on the way.
@@ -63,7 +61,7 @@ export const workBefore = (app: App): Work => workOf(app.state);
 
 function look({ state }: App, { tool, view, plots }: OpenedLink, toolIds: readonly string[]): void {
   if (tool !== undefined && toolIds.includes(tool)) state.tool.value = tool;
-  state.view.value = view !== undefined && VIEWS.includes(view) ? (view as ViewName) : 'orbit';
+  state.view.value = isView(view) ? view : 'orbit';
   const shown = plotsFrom(plots);
   if (shown) state.plots.value = shown;
 }

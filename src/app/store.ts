@@ -174,6 +174,8 @@ function initialState({ dark, roomy }: Preferences): AppState {
     theme: signal(dark ? 'dark' : 'light'),
     plots: signal({ own: null, degrees: true, wrapped: false }),
     tool: signal(roomy ? 'now' : null),
+    exporting: signal(false),
+    studio: signal(null),
     messages: signal([]),
     pendingFile: signal(null),
     reading: signal(null),

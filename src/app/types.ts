@@ -8,6 +8,7 @@ import type { Case } from '../core/cases/case.ts';
 import type { Look } from './look.ts';
 import type { Aside, ModeRequest } from './modes.ts';
 import type { Sweep } from './sweep.ts';
+import type { Studio } from './studio.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
@@ -152,6 +153,10 @@ export interface AppState {
   plots: Signal<PlotsState>;
   /** Which tool is open beside the scene, by id; null when none is. */
   tool: Signal<string | null>;
+  /** Whether the export dialog is open. */
+  exporting: Signal<boolean>;
+  /** Makes pictures and 3-D files of what is on the stage; null without a scene. */
+  studio: Signal<Studio | null>;
   // --- things to say
   messages: Signal<readonly Message[]>;
   pendingFile: Signal<PendingFile | null>;

@@ -116,6 +116,13 @@ export interface Switches {
 /** When pressing on a body grabs it: never, with Shift, always. */
 export type Grabbing = 'never' | 'shift' | 'always';
 
+/** Whose bodies are on the stage, and in which meshes. */
+export interface Dressed {
+  system: string | null;
+  models: Readonly<Record<string, MeshPair>>;
+  cast: Cast | null;
+}
+
 /** `high` and `low` are orders; `auto` leaves out what a software renderer or a slow device cannot afford. */
 export type Quality = 'low' | 'high' | 'auto';
 
@@ -123,6 +130,8 @@ export interface SceneOptions {
   theme: 'light' | 'dark';
   reducedMotion: boolean;
   quality?: Quality;
+  /** For pictures that leave the page: drawn by `draw()` at any pixel ratio, without the ground if transparent. */
+  still?: { transparent: boolean; labels: boolean };
   /** After the first picture with bodies in it. */
   onFirstFrame?: () => void;
   onContextLost?: () => void;
@@ -172,6 +181,11 @@ export interface SceneView {
   /** CSS pixels and device pixels per CSS pixel. */
   resize(width: number, height: number, devicePixelRatio: number): void;
   setBodyVisible(index: number, visible: boolean): void;
+  /** Where the eye is and what it looks at, in world axes (m); a set one is kept as if a hand had put it there. */
+  placement(): { camera: [number, number, number]; target: [number, number, number] };
+  setPlacement(camera: readonly [number, number, number], target: readonly [number, number, number]): void;
+  /** Draws at once, without waiting for the screen; the canvas can be read until the caller returns to the event loop. */
+  draw(): void;
   /** Asks for one picture; any number of requests before it give one. */
   requestRender(): void;
   /** Pictures drawn so far, what the last one held, and the bodies on the stage. */

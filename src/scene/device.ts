@@ -14,8 +14,8 @@ export function isSoftwareRenderer(name: string): boolean {
 }
 
 /** The canvas's WebGL 2 context, and whether a program on the processor draws it. Throws `NoWebGlError`. */
-export function openContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingContext; software: boolean } {
-  const gl = canvas.getContext('webgl2', { antialias: true, alpha: false, depth: true, powerPreference: 'high-performance' });
+export function openContext(canvas: HTMLCanvasElement, alpha = false): { gl: WebGL2RenderingContext; software: boolean } {
+  const gl = canvas.getContext('webgl2', { antialias: true, alpha, depth: true, powerPreference: 'high-performance' });
   if (!gl) throw new NoWebGlError();
   const naming = gl.getExtension('WEBGL_debug_renderer_info');
   return { gl, software: isSoftwareRenderer(String(gl.getParameter(naming ? naming.UNMASKED_RENDERER_WEBGL : gl.RENDERER))) };

@@ -98,6 +98,11 @@ export class Ground {
     this.setPalette(palette);
   }
 
+  /** Only the shadow stays. */
+  hideDisc(): void {
+    this.disc.visible = false;
+  }
+
   setPalette(palette: Palette): void {
     const { background, surface, fine, strong } = this.uniforms;
     background.value.set(palette.background);

@@ -33,6 +33,7 @@ export class Labels {
   private ratio = 1;
   private unit = 1;
   private floor = 0;
+  private hidden = false;
 
   constructor(scene: Scene, palette: Palette) {
     this.scene = scene;
@@ -45,6 +46,11 @@ export class Labels {
       this.sprites.push(sprite);
     }
     scene.add(...this.sprites);
+  }
+
+  hide(): void {
+    this.hidden = true;
+    for (const sprite of this.sprites) sprite.visible = false;
   }
 
   setPalette(palette: Palette): void {
@@ -71,6 +77,7 @@ export class Labels {
 
   /** Rewrites the labels when the nearest crossing or the step changed: rarely. */
   follow(target: Vector3, distance: number): void {
+    if (this.hidden) return;
     const step = labelStep(distance, this.unit);
     const x = step * Math.round(target.x / step);
     const y = step * Math.round(target.y / step);

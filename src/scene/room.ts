@@ -52,6 +52,12 @@ export class Room {
     };
   }
 
+  /** For a picture that cannot wait: what would come is made now. */
+  ready(): void {
+    if (this.state === 'wanted') this.state = 'coming';
+    this.make();
+  }
+
   /** After the context was lost. */
   restore(): void {
     const had = this.parts.lights.hasRoom;

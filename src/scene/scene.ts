@@ -21,16 +21,18 @@ const MAX_PIXEL_RATIO = 2;
 
 /** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
 export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
-  const { gl, software } = openContext(canvas);
-  const renderer = rendererFor(canvas, gl);
+  const { gl, software } = openContext(canvas, options.still?.transparent);
+  const renderer = rendererFor(canvas, gl, options.still?.transparent);
   let palette = palettes[options.theme];
   const scene = new Scene();
   const background = new Color(palette.background);
   const fog = new Fog(background, 5, 20);
-  scene.background = background;
+  scene.background = options.still?.transparent ? null : background;
   scene.fog = fog;
   const parts = new Parts(scene, palette, software ? 1024 : 2048);
   const { bodies, trails, forces, ghosts } = parts;
+  if (options.still?.transparent) parts.ground.hideDisc();
+  if (options.still?.labels === false) parts.labels.hide();
   const focus = new Focus();
   const grab = new Grab(canvas, { pick: pickAt, reachTo }, options); // hears of a press before the camera does
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
@@ -228,7 +230,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       const before = size.width / size.height;
       size.width = Math.max(1, w);
       size.height = Math.max(1, h);
-      size.ratio = Math.min(Math.max(devicePixelRatio, 0.5), MAX_PIXEL_RATIO);
+      size.ratio = Math.min(Math.max(devicePixelRatio, 0.25), options.still ? Infinity : MAX_PIXEL_RATIO);
       renderer.setPixelRatio(size.ratio);
       renderer.setSize(size.width, size.height, false);
       const aspect = size.width / size.height;
@@ -241,6 +243,15 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     setBodyVisible(index, visible) {
       bodies.setVisible(index, visible);
       show();
+    },
+    placement: () => ({ camera: rig.camera.position.toArray(), target: rig.target.toArray() }),
+    setPlacement: (camera, target) => rig.go(camera, target, true),
+    draw() {
+      room.ready();
+      cancelAnimationFrame(requested);
+      render(performance.now());
+      cancelAnimationFrame(requested);
+      requested = 0;
     },
     requestRender,
     stats: () => ({ frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count }),

@@ -3,7 +3,7 @@ export const text = {
   name: 'RipStik Lab',
   top: {
     cases: 'Cases', open: 'Open', openTitle: 'Open a CSV, a scenario or a mesh pair', samples: 'Samples', samplesTitle: 'Sample runs',
-    exports: 'Export', csv: 'Run as CSV', scenario: 'Scenario as JSON', theme: (now: string) => `Use the ${now === 'dark' ? 'light' : 'dark'} theme`,
+    exports: 'Export', csv: 'Run as CSV', scenario: 'Scenario as JSON', exportMore: 'Picture, video, 3-D file …', theme: (now: string) => `Use the ${now === 'dark' ? 'light' : 'dark'} theme`,
     keys: 'Keyboard', ownScenario: 'Own scenario', edited: 'edited',
   },
   panel: {

@@ -6,6 +6,7 @@ import type { App, CaseInfo } from '../app/types.ts';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from './context.ts';
 import type { FormulationChoice, MethodChoice } from './context.ts';
+import { ExportDoor } from './export/exportDoor.tsx';
 import { KeysDialog, StepDialog } from './dialogs.tsx';
 import { DropOverlay } from './dropOverlay.tsx';
 import { useKeyboard } from './keyboard.ts';
@@ -66,6 +67,7 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       </div>
       <Messages />
       <StepDialog />
+      <ExportDoor />
       <KeysDialog open={keysOpen} onTour={() => { touring.value = true; }} onForget={onForget} />
       <DropOverlay />
       <Announcer />

@@ -30,6 +30,7 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
       <Menu label={text.top.exports} testId="export-menu" align="right" items={[
         { id: 'csv', title: text.top.csv, testId: 'export-csv', disabled: state.motion.value === null, choose: actions.exportCsv },
         { id: 'scenario', title: text.top.scenario, testId: 'export-scenario', choose: actions.saveScenario },
+        { id: 'more', title: text.top.exportMore, testId: 'export-more', choose: () => { state.exporting.value = true; } },
       ]}>
         <Icon name="export" /><span class="word">{text.top.exports}</span>
       </Menu>

@@ -6,19 +6,21 @@ import { expect, test } from 'vitest';
 const MAY_IMPORT: Record<string, readonly string[]> = {
   core: [],
   text: [],
+  media: [],
   io: ['core'],
   worker: ['core'],
   scene: ['core'],
   charts: ['core'],
   cli: ['core', 'io'],
   app: ['core', 'io', 'worker', 'text'],
-  ui: ['core', 'app', 'text'],
+  ui: ['core', 'app', 'text', 'media'],
   tools: ['core', 'io', 'charts', 'app', 'ui', 'text'],
-  sceneBridge: ['core', 'scene', 'app'],
+  sceneBridge: ['core', 'scene', 'app', 'studio'],
+  studio: ['core', 'scene', 'app'],
   main: ['core', 'io', 'worker', 'sceneBridge', 'app', 'ui', 'tools', 'text'],
 };
 /** Packages that one folder alone imports. */
-const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts', katex: 'tools' };
+const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts', katex: 'tools', mediabunny: 'media' };
 
 const src = resolve('src');
 const files = readdirSync(src, { recursive: true, encoding: 'utf8' }).filter((name) => /\.tsx?$/.test(name));

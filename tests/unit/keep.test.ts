@@ -27,7 +27,7 @@ const kept: Kept = {
     ]),
     file: 'ride.csv',
   },
-  settings: { theme: 'dark', tool: 'plots', view: 'side', follow: false, showTrails: true, showForces: true, loop: true, speed: 0.25, plots: { own: { key: 'ripstik/ridden', panes: [{ title: 'Path', x: 'X', y: ['Y'], equal: true }] }, degrees: false, wrapped: true } },
+  settings: { theme: 'dark', tool: 'plots', view: 'side', follow: false, showTrails: true, showForces: true, loop: true, speed: 0.25, plots: { own: { key: 'ripstik/ridden', panes: [{ title: 'Path', x: 'X', y: ['Y'], equal: true }] }, degrees: false, wrapped: true }, look: { names: true, level: false, quality: 'low' } },
 };
 
 describe('kept work', () => {

@@ -56,10 +56,14 @@ function recovery({ speed, inputs, limit }: Balance, duration: number): (what: P
 
 /** Steps in which sizes are tried upwards: islands of survival beyond the first failure are not taken for the limit. */
 const STRIDE = 1.08;
+/** Where gaps just below what was found are looked for, as shares of it; and how often such a gap becomes the new limit. */
+const PROBES = [0.99, 0.98, 0.97, 0.96, 0.94, 0.92];
+const MOST_TRIES = 4;
 
 /**
  * How much is survived: halved from `start` until it is, then raised by strides to the first failure (at most to `most`),
- * then bisected until the two ends are within `ratio`. Gaps narrower than a stride are not seen.
+ * then bisected until the two ends are within `ratio`. A few sizes just below are looked at too; other gaps narrower than a
+ * stride are not seen.
  */
 export function largest(survives: (size: number) => boolean, start: number, most: number, ratio: number): { survived: number; failed: number } {
   let low = start;
@@ -73,10 +77,19 @@ export function largest(survives: (size: number) => boolean, start: number, most
     low = high;
     high = Math.min(most, STRIDE * high);
   } while (survives(high));
-  while (high > ratio * low) {
-    const middle = Math.sqrt(low * high);
-    if (survives(middle)) low = middle;
-    else high = middle;
+  for (let tries = 0; tries < MOST_TRIES; tries++) {
+    while (high > ratio * low) {
+      const middle = Math.sqrt(low * high);
+      if (survives(middle)) low = middle;
+      else high = middle;
+    }
+    const gap = PROBES.map((share) => share * low).find((size) => !survives(size));
+    if (gap === undefined) break;
+    low = gap;
+    do {
+      high = low;
+      low /= ratio;
+    } while (!survives(low));
   }
   return { survived: low, failed: high };
 }

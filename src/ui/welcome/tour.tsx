@@ -32,8 +32,8 @@ export function Tour({ onEnd }: { onEnd(): void }) {
   const last = at === steps.length - 1;
   return (
     <>
-      {target && <div class="tour-mark" aria-hidden="true" style={{ left: target.left - MARGIN, top: target.top - MARGIN, width: target.right - target.left + 2 * MARGIN, height: target.bottom - target.top + 2 * MARGIN }} />}
-      <div ref={card} class="tour" role="dialog" aria-labelledby={titleId} aria-describedby={bodyId} data-testid="tour" style={place}>
+      {target && <div class="tour-mark" aria-hidden="true" style={around(target)} />}
+      <div ref={card} class="tour" role="dialog" aria-labelledby={titleId} aria-describedby={bodyId} data-testid="tour" style={place && { left: px(place.left), top: px(place.top) }}>
         <p class="tour-count">{text.of(at + 1, steps.length)}</p>
         <h2 id={titleId} ref={heading} tabIndex={-1}>{words.title}</h2>
         <p id={bodyId}>{words.body}</p>
@@ -47,6 +47,10 @@ export function Tour({ onEnd }: { onEnd(): void }) {
     </>
   );
 }
+
+const px = (length: number): string => `${length}px`;
+
+const around = ({ left, top, right, bottom }: Rect) => ({ left: px(left - MARGIN), top: px(top - MARGIN), width: px(right - left + 2 * MARGIN), height: px(bottom - top + 2 * MARGIN) });
 
 /** Follows the target wherever scrolling and resizing take it. */
 function useBeside(at: number, card: { current: HTMLDivElement | null }) {

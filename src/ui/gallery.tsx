@@ -1,6 +1,6 @@
 /** The built-in cases as cards: picture, what to look at, where it comes from. One click runs one. */
 import { useComputed, useSignal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import type { CaseInfo } from '../app/types.ts';
 import { text } from '../text/gallery.ts';
 import { replaceDraft, useUi } from './context.ts';
@@ -12,6 +12,9 @@ export function Gallery({ onClose }: { onClose(): void }) {
   const { app } = ui;
   const word = useSignal('');
   const grid = useRef<HTMLDivElement>(null);
+  const search = useRef<HTMLInputElement>(null);
+  // The dialog stood empty until this part was loaded.
+  useEffect(() => search.current?.focus(), []);
   const titleOf = (c: CaseInfo): string => app.systemOf(c.scenario.system)?.meta.title ?? c.scenario.system;
   const found = useComputed(() => app.cases.filter((c) => matches(c, word.value.trim(), titleOf(c))));
   const choose = (id: string) => {
@@ -21,7 +24,7 @@ export function Gallery({ onClose }: { onClose(): void }) {
   return (
     <div class="gallery" onKeyDown={(event) => moveOverCards(event, [...(grid.current?.querySelectorAll<HTMLButtonElement>('.card') ?? [])])}>
       <div class="gallery-bar">
-        <input type="search" class="gallery-search" aria-label={text.search} placeholder={text.placeholder} data-testid="gallery-search" value={word.value} onInput={(e) => { word.value = e.currentTarget.value; }} />
+        <input ref={search} type="search" class="gallery-search" aria-label={text.search} placeholder={text.placeholder} data-testid="gallery-search" value={word.value} onInput={(e) => { word.value = e.currentTarget.value; }} />
         <span class="hint" role="status">{found.value.length > 0 ? text.count(found.value.length) : text.none(word.value)}</span>
         <span class="hint gallery-keys">{text.keys}</span>
       </div>

@@ -13,7 +13,6 @@ export function Tour({ onEnd }: { onEnd(): void }) {
   const heading = useRef<HTMLHeadingElement>(null);
   const [titleId, bodyId] = [useId(), useId()];
   const { target, place } = useBeside(at, card);
-  useEffect(() => heading.current?.focus({ preventScroll: true }), [at]);
   useEffect(() => {
     const before = document.activeElement as HTMLElement | null;
     const onKeyDown = (event: KeyboardEvent) => {
@@ -28,6 +27,8 @@ export function Tour({ onEnd }: { onEnd(): void }) {
       (before?.isConnected && before !== document.body ? before : document.getElementById('stage'))?.focus();
     };
   }, []);
+  // After what had the focus has been remembered.
+  useEffect(() => heading.current?.focus({ preventScroll: true }), [at]);
   const words = text.steps[steps[at]!.id];
   const last = at === steps.length - 1;
   return (

@@ -1,6 +1,6 @@
 /** The built-in cases as cards: picture, what to look at, where it comes from. One click runs one. */
 import { useComputed, useSignal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import type { CaseInfo } from '../app/types.ts';
 import { text } from '../text/gallery.ts';
 import { replaceDraft, useUi } from './context.ts';
@@ -11,6 +11,9 @@ export function Gallery({ onClose }: { onClose(): void }) {
   const { app } = ui;
   const word = useSignal('');
   const grid = useRef<HTMLDivElement>(null);
+  const search = useRef<HTMLInputElement>(null);
+  // it comes into a dialog that is open already, where the browser sees to no focus any more
+  useEffect(() => search.current?.focus(), []);
   const titleOf = (c: CaseInfo): string => app.systemOf(c.scenario.system)?.meta.title ?? c.scenario.system;
   const found = useComputed(() => {
     const words = word.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -37,7 +40,7 @@ export function Gallery({ onClose }: { onClose(): void }) {
   return (
     <div class="gallery" onKeyDown={onKeyDown}>
       <div class="gallery-bar">
-        <input type="search" class="gallery-search" aria-label={text.search} placeholder={text.placeholder} data-testid="gallery-search" value={word.value} autoFocus onInput={(e) => { word.value = e.currentTarget.value; }} />
+        <input ref={search} type="search" class="gallery-search" aria-label={text.search} placeholder={text.placeholder} data-testid="gallery-search" value={word.value} onInput={(e) => { word.value = e.currentTarget.value; }} />
         <span class="hint" role="status">{found.value.length > 0 ? text.count(found.value.length) : text.none(word.value)}</span>
       </div>
       <div ref={grid}>

@@ -1,21 +1,23 @@
 // npm run pictures -- cases [id …]: the scene of every case at a telling moment, as docs/cases/<id>.webp and, small, in
 // both themes, as public/cases/<id>-<theme>.webp for the gallery.
-/* global window, document, setTimeout, Image -- functions given to the page run there */
+/* global window, document, setTimeout, Image, WheelEvent -- functions given to the page run there */
 import { Buffer } from 'node:buffer';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './setup.mjs';
 
 const SIZE = { width: 640, height: 400 };
-const CARD = { width: 320, height: 200 };
-const QUALITY = 0.8;
+const CARD = { width: 360, height: 225 };
+const QUALITY = { full: 0.8, card: 0.66 };
+/** What the orbit controls make of a wheel's 100 pixels. */
+const ZOOM_STEP = 0.95;
 const QUIET_MS = 300;
 
 /** The scene alone fills the page. */
 const SCENE_ONLY = `
   .stage { position: fixed !important; inset: 0; z-index: 1000; }
   .stage > :not(canvas) { display: none !important; }
-  .messages, .tour, .first-minute { display: none !important; }`;
+  .messages, .tour, .offer { display: none !important; }`;
 
 export async function casePictures(browser, address, wanted) {
   mkdirSync(join(root, 'public/cases'), { recursive: true });
@@ -26,31 +28,49 @@ export async function casePictures(browser, address, wanted) {
     await page.goto(address);
     await page.waitForFunction(() => window.ripstikScene?.stats().bodies > 0);
     await page.addStyleTag({ content: SCENE_ONLY });
-    const all = await page.evaluate(() => window.ripstikApp.cases.map(({ id: name, picture }) => ({ name, picture })));
-    for (const { name, picture } of all.filter((c) => wanted.length === 0 || wanted.includes(c.name))) {
-      await page.evaluate(async ([which, { share, view }]) => {
-        const { state, actions } = window.ripstikApp;
-        actions.loadCase(which);
-        const until = async (met) => {
-          while (!met()) await new Promise((done) => setTimeout(done, 30));
-        };
-        await until(() => state.origin.value.id === which && state.run.value?.kind === 'ended' && state.motion.value?.written === state.draft.value);
-        actions.pause();
-        actions.seek(state.motion.value.trajectory.start);
-        state.view.value = view;
-        // A view looks at the subject where it is.
-        actions.seek(share * state.motion.value.trajectory.end);
-        state.view.value = view === 'side' ? 'front' : 'side';
-        state.view.value = view;
-      }, [name, { share: 0.4, view: 'orbit', ...picture }]);
-      await quiet(page);
-      const png = await page.screenshot({ animations: 'disabled' });
-      if (theme === 'light') writeFileSync(join(root, 'docs/cases', `${name}.webp`), await webp(page, png, SIZE));
-      writeFileSync(join(root, 'public/cases', `${name}-${theme}.webp`), await webp(page, png, CARD));
-      console.log(`${name} ${theme}`);
+    const all = await page.evaluate(() => window.ripstikApp.cases.map(({ id, picture = {}, figures = [] }) => ({ id, picture, figures })));
+    for (const { id, picture, figures } of all.filter((c) => wanted.length === 0 || wanted.includes(c.id))) {
+      await runCase(page, id);
+      const png = await shoot(page, picture);
+      if (theme === 'light') save('docs/cases', id, await webp(page, png, SIZE, QUALITY.full));
+      save('public/cases', `${id}-${theme}`, await webp(page, png, CARD, QUALITY.card));
+      if (theme === 'light') {
+        for (const [i, figure] of figures.entries()) save('docs/cases', `${id}-${i + 1}`, await webp(page, await shoot(page, figure), SIZE, QUALITY.full));
+      }
+      console.log(`${id} ${theme}`);
     }
     await context.close();
   }
+}
+
+const save = (folder, name, bytes) => writeFileSync(join(root, folder, `${name}.webp`), bytes);
+
+async function runCase(page, id) {
+  await page.evaluate(async (which) => {
+    const { state, actions } = window.ripstikApp;
+    actions.loadCase(which);
+    const met = () => state.origin.value.id === which && state.run.value?.kind === 'ended' && state.motion.value?.written === state.draft.value;
+    while (!met()) await new Promise((done) => setTimeout(done, 30));
+    actions.pause();
+    actions.seek(state.motion.value.trajectory.start);
+  }, id);
+  // A view fits the bodies as they stand at first: they have to be there.
+  await quiet(page);
+}
+
+/** A picture of the scene as a PNG; `time`, `view` and `distance` as a case has them. */
+async function shoot(page, { time, view = 'orbit', distance = 1 }) {
+  await page.evaluate(([at, name]) => {
+    const { state, actions } = window.ripstikApp;
+    actions.seek(at ?? 0.4 * state.motion.value.trajectory.end);
+    // A view looks at the subject where it is when it is chosen.
+    state.view.value = name === 'side' ? 'front' : 'side';
+    state.view.value = name;
+  }, [time, view]);
+  const steps = Math.log(distance) / -Math.log(ZOOM_STEP);
+  await page.locator('[data-testid="scene"]').evaluate((canvas, deltaY) => canvas.dispatchEvent(new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true })), 100 * steps);
+  await quiet(page);
+  return page.screenshot({ animations: 'disabled' });
 }
 
 /** Until no frame has been drawn for a while, and the meshes are those of the case. */
@@ -64,8 +84,9 @@ async function quiet(page) {
   }, QUIET_MS);
 }
 
-async function webp(page, png, { width, height }) {
-  const url = await page.evaluate(async ([source, w, h, quality]) => {
+/** A PNG as WebP of this size, made by the browser. */
+export async function webp(page, png, { width, height }, quality) {
+  const url = await page.evaluate(async ([source, w, h, share]) => {
     const image = new Image();
     image.src = source;
     await image.decode();
@@ -73,7 +94,7 @@ async function webp(page, png, { width, height }) {
     const context = canvas.getContext('2d');
     context.imageSmoothingQuality = 'high';
     context.drawImage(image, 0, 0, w, h);
-    return canvas.toDataURL('image/webp', quality);
-  }, [`data:image/png;base64,${png.toString('base64')}`, width, height, QUALITY]);
+    return canvas.toDataURL('image/webp', share);
+  }, [`data:image/png;base64,${png.toString('base64')}`, width, height, quality]);
   return Buffer.from(url.split(',')[1], 'base64');
 }

@@ -1,6 +1,6 @@
 // npm run pictures: draws docs/pictures from the built page, each at a definite time, in a headless browser.
-// With names, only those: npm run pictures -- ridden-light phone-dark; the scenes of the cases: npm run pictures -- cases
-/* global window, document, Event, setTimeout -- functions given to the page run there */
+// With names, only those: npm run pictures -- ridden-light phone-dark; the scenes of the cases: npm run pictures -- cases; every main view: npm run pictures -- views
+/* global window, document, localStorage, Event, setTimeout -- functions given to the page run there */
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { findBrowser } from './browser.mjs';
@@ -8,6 +8,7 @@ import { serve } from './serve-dist.mjs';
 import { Plain, build, built, install, main, root } from './setup.mjs';
 import { casePictures } from './case-pictures.mjs';
 import { smallPng } from './smallPng.mjs';
+import { viewPictures } from './view-pictures.mjs';
 
 const DESK = { width: 1440, height: 900 };
 const PHONE = { width: 390, height: 844 };
@@ -45,6 +46,7 @@ async function openPage(browser, address, { size = DESK, theme = 'light' }) {
   });
   const page = await context.newPage();
   page.on('pageerror', (error) => console.error(`page: ${error.message}`));
+  await page.addInitScript(() => localStorage.setItem('ripstik.tour', 'seen'));
   await page.goto(address);
   await page.waitForFunction(() => window.ripstikScene !== undefined && window.ripstikScene.stats().bodies > 0);
   return page;
@@ -113,8 +115,8 @@ async function take(browser, address, name) {
 }
 
 main(async (given) => {
-  const ofCases = given[0] === 'cases';
-  const names = ofCases ? [] : given;
+  const many = { cases: casePictures, views: viewPictures }[given[0]];
+  const names = many ? [] : given;
   const unknown = names.filter((name) => !(name in PICTURES));
   if (unknown.length) throw new Plain(`There is no picture ${unknown.join(', ')}; right would be ${Object.keys(PICTURES).join(', ')}.`);
   await install();
@@ -131,7 +133,7 @@ main(async (given) => {
   });
   let large = 0;
   try {
-    if (ofCases) await casePictures(browser, `http://127.0.0.1:${port}/`, given.slice(1));
+    if (many) await many(browser, `http://127.0.0.1:${port}/`, given.slice(1));
     else for (const name of names.length ? names : Object.keys(PICTURES)) large += (await take(browser, `http://127.0.0.1:${port}/`, name)) ? 0 : 1;
   } finally {
     await browser.close();

@@ -46,16 +46,18 @@ function plotOf(plot: CasePlot, column: Column): LinePlotSpec {
 
 function section(one: Case): string {
   const { column, simulation } = finished(one);
-  const { id, title, source, look, published = [], plots = [] } = one;
+  const { id, title, source, look, published = [], plots = [], figures = [] } = one;
   writeFileSync(new URL(`${id}.svg`, folder), plotSheet(plots.map((plot) => plotOf(plot, column))));
   const { reason, time } = simulation.end!;
   const numbers = published.map(({ what, measure, value, unit = '', tolerance, source: from }) =>
     `| ${what} | ${short(measured(measure, column))} ${unit} | ${short(value)} ${unit} | ${tolerance.toExponential().replace('e', ' × 10^').replace('+', '')} | ${from} |`);
   return [
     `## ${title}`, '', `\`${id}\` · ${systems[one.scenario.system]!.meta.title}${source ? ` · ${source}` : ''}`, '', look, '',
+    `![${title}, the scene](cases/${id}.webp)`, '',
     `Ends: ${reason === 'end' ? 'complete' : reason} at ${short(time)} s.`, '',
     ...(numbers.length > 0 ? ['| what | here | known | within | from |', '|---|---|---|---|---|', ...numbers, ''] : []),
     `![${title}: ${plots.map((p) => p.title).join('; ')}](cases/${id}.svg)`, '',
+    ...figures.flatMap((figure, i) => [`${figure.title}, at ${short(figure.time ?? 0)} s:`, '', `![${figure.title}](cases/${id}-${i + 1}.webp)`, '']),
   ].join('\n');
 }
 
@@ -64,7 +66,7 @@ const folder = new URL('../docs/cases/', import.meta.url);
 mkdirSync(folder, { recursive: true });
 const head = [
   '# Cases', '',
-  'Every built-in case, run by `npm run cases`, which writes this page: what to look at, what is known about it beside what came out, and its plots.',
+  'Every built-in case, run by `npm run cases`, which writes this page: what to look at, what is known about it beside what came out, its scene (`npm run pictures -- cases`) and its plots.',
   'The same cases are in the page, `npm run ripstik -- cases`, and `tests/conformance/cases.test.ts`.', '', '',
 ].join('\n');
 writeFileSync(new URL('../docs/cases.md', import.meta.url), head + cases.map(section).join('\n'));

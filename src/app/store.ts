@@ -134,7 +134,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   };
 }
 
-const caseInfos: readonly CaseInfo[] = cases.map(({ id, title, look, scenario, source, figure, chapter, picture }) => ({ id, title, summary: look, scenario, source, figure, chapter, picture }));
+const caseInfos: readonly CaseInfo[] = cases.map(({ look, ...one }) => ({ ...one, summary: look }));
 
 /** A system nobody has made a case for starts with everything at its default. */
 const blank = (id: string): CaseInfo => ({ id: '', title: systemMetas[id]!.title, summary: '', scenario: { version: 1, system: id } });

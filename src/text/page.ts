@@ -104,7 +104,7 @@ export const text = {
   compare: { open: 'Compare', keep: 'Keep this run', kept: 'kept' },
   message: { label: 'Messages', dismiss: 'Dismiss' },
   later: { loading: 'Loading', failed: 'This part could not be loaded; check the connection and open it again.' },
-  close: 'Close',
+  close: 'Close', takeTour: 'Tour of the page',
   sheet: 'Panels',
   said: { computing: 'Computing', ended: (reason: string, time: string) => `Run ended at ${time} seconds: ${reason}`, passed: (name: string, time: string) => `${name} at ${time} seconds` },
   keys: [

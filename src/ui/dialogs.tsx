@@ -41,7 +41,7 @@ export function Dialog({ title, testId, wide, onClose, children }: { title: stri
   );
 }
 
-export function KeysDialog({ open, onForget }: { open: Signal<boolean>; onForget?: (() => void) | undefined }) {
+export function KeysDialog({ open, onTour, onForget }: { open: Signal<boolean>; onTour(): void; onForget?: (() => void) | undefined }) {
   if (!open.value) return null;
   return (
     <Dialog title={text.top.keys} testId="keys-dialog" onClose={() => { open.value = false; }}>
@@ -50,6 +50,9 @@ export function KeysDialog({ open, onForget }: { open: Signal<boolean>; onForget
           <div key={keys}><dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt><dd>{what}</dd></div>
         ))}
       </dl>
+      <div class="forget">
+        <button type="button" data-testid="take-tour" onClick={() => { open.value = false; onTour(); }}>{text.takeTour}</button>
+      </div>
       {onForget && (
         <div class="forget">
           <p class="hint">{keepText.forgetHint}</p>

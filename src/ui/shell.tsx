@@ -20,6 +20,7 @@ import { text } from '../text/page.ts';
 import type { Tool } from './tool.ts';
 import { TopBar } from './topBar.tsx';
 import { Transport } from './transport.tsx';
+import { Welcome } from './welcome/welcome.tsx';
 import './style.css';
 
 export interface ShellProps {
@@ -44,6 +45,7 @@ export const PHONE = '(max-width: 760px)';
 export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools, onForget }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);
   const keysOpen = useSignal(false);
+  const touring = useSignal(false);
   const phone = useMedia(PHONE);
   useTheme(app);
   useKeyboard(app, keysOpen);
@@ -57,6 +59,7 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
         </main>
+        <Welcome touring={touring} />
         {phone ? null : <Tools />}
         <Transport />
         {phone ? <Sheet /> : null}
@@ -64,8 +67,8 @@ export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneEr
       </div>
       <Messages />
       <StepDialog />
-      <KeysDialog open={keysOpen} onForget={onForget} />
       <ExportDoor />
+      <KeysDialog open={keysOpen} onTour={() => { touring.value = true; }} onForget={onForget} />
       <DropOverlay />
       <Announcer />
     </UiContext.Provider>

@@ -1,12 +1,12 @@
 /** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
 import { useId } from 'preact/hooks';
 import type { Adjustment } from '../app/types.ts';
-import type { CoordinateMeta } from '../core/systems/types.ts';
+import type { CoordinateMeta, SystemMeta } from '../core/systems/types.ts';
 import { edit, useUi } from './context.ts';
 import { Section } from './controls.tsx';
 import { withEntry } from './draft.ts';
 import { formatQuantity } from './format.ts';
-import { FieldError, NumberBox } from './numberField.tsx';
+import { FieldError, NumberBox, NumberField } from './numberField.tsx';
 import { Chip, MathSymbol } from './symbol.tsx';
 import { text } from '../text/page.ts';
 import { useNumberField } from './useNumberField.ts';
@@ -22,12 +22,26 @@ export function StartSection() {
   const adjusted = new Map(motion?.source === 'run' && motion.system === system ? motion.adjustments.map((a) => [a.name, a]) : []);
   return (
     <Section title={text.panel.start} open>
+      {system.meta.speed && <SpeedField key={system.meta.id} speed={system.meta.speed} />}
       <div class="start-head" aria-hidden="true"><span>{text.panel.value}</span><span>{text.panel.rate}</span></div>
       {system.meta.coordinates.map((c) => (
         <StartRow key={`${system.meta.id}.${c.name}`} coordinate={c} value={adjusted.get(c.name)} rate={adjusted.get(`${c.name}_dot`)} rated={system.meta.order !== 1} />
       ))}
       <p class="hint">{text.panel.startHint}</p>
     </Section>
+  );
+}
+
+/** One word for the velocities straight ahead: the start may say it instead of them. */
+function SpeedField({ speed: { name, label } }: { speed: NonNullable<SystemMeta['speed']> }) {
+  const ui = useUi();
+  return (
+    <NumberField testId={`initial-${name}`} spec={{
+      path: `initial.${name}`, label, unit: 'm/s', angle: false, optional: true, rest: 0, step: 0.1,
+      value: ui.app.state.draft.value.initial?.[name],
+      base: ui.origin.value?.scenario.initial?.[name],
+      commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+    }} symbol="v" />
   );
 }
 

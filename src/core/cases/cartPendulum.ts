@@ -8,6 +8,7 @@ export const cartPendulumCases: readonly Case[] = [
     figure: 'Fig. 7',
     chapter: '3.3.1',
     look: 'Nothing holds the rod: it falls, swings through, and drives the cart to and fro. The common centre of mass never moves sideways.',
+    picture: { time: 1.6 },
     scenario: { version: 1, system: 'cart-pendulum', initial: { theta: 'pi/2 - 0.1' }, method: { rtol: 1e-10 }, duration: 10 },
     plots: [
       { title: 'Cart', x: 't', y: ['X'], unit: 'm' },
@@ -20,6 +21,7 @@ export const cartPendulumCases: readonly Case[] = [
     source: 'Report, section 3.3.1, with the regulator of section 3.5',
     chapter: '3.5',
     look: 'A force on the cart brings the rod upright from 0.1 rad, and the cart back to where it stood.',
+    picture: { time: 0.6 },
     scenario: {
       version: 1,
       system: 'cart-pendulum',

@@ -15,10 +15,22 @@ export interface Case {
   scenario: ScenarioFile;
   /** Numbers known from elsewhere, which the run meets within their tolerance. */
   published?: readonly Published[];
-  /** Where its picture is taken: share of the run's time (0.4) and view (orbit). */
-  picture?: { share?: number; view?: 'orbit' | 'front' | 'side' | 'top' | 'caster' };
+  /** The moment and view that tell what it is about. */
+  picture?: Shot;
+  /** Figures of the report that are views of the scene. */
+  figures?: readonly (Shot & { title: string })[];
   /** What to plot; a figure of the report on its own axes. */
   plots?: readonly CasePlot[];
+}
+
+/** A picture of the scene. */
+export interface Shot {
+  /** In s; without it, when 0.4 of the run have passed. */
+  time?: number;
+  /** `orbit` unless named. */
+  view?: 'orbit' | 'front' | 'side' | 'top' | 'caster';
+  /** How many times as far off as the view stands by itself. */
+  distance?: number;
 }
 
 export interface Published {

@@ -10,6 +10,7 @@ export const casterRotationCases: readonly Case[] = [
     figure: 'Fig. 5 and 6',
     chapter: '3.2.1',
     look: 'The skate point draws a circle of radius |trail| about the tilted steering axis. The report’s curves start at the same point, but are those of the drop turned about the tilted x axis: a circle of 0.095 m.',
+    picture: { time: 0.85, distance: 0.8 },
     scenario: { version: 1, system: 'caster-rotation', initial: { theta_c_dot: '2*pi' }, duration: 1 },
     published: [
       { what: 'x at the start', measure: { kind: 'at', column: 'caster.x', time: 0 }, value: 0.05 * Math.cos(Math.PI / 6) - 0.095 * 0.5, unit: 'm', tolerance: 1e-12, source: `Fig. 5 and ${closedForm}` },

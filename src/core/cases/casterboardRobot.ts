@@ -17,6 +17,7 @@ function forward(id: string, title: string, phase: number, words: string, look: 
     title,
     source: 'Kinugasa et al. 2013, the report’s reference [19]',
     look,
+    picture: { time: 3.2, distance: 1.3 },
     scenario: {
       version: 1,
       system: 'casterboard-robot',
@@ -43,6 +44,7 @@ export const casterboardRobotCases: readonly Case[] = [
     title: 'Robot turning',
     source: 'Kinugasa et al. 2013, the report’s reference [19]',
     look: 'A bias on plates that move opposed: the robot settles on a small circle.',
+    picture: { time: 14, distance: 1.4 },
     scenario: {
       version: 1,
       system: 'casterboard-robot',

@@ -10,6 +10,7 @@ export const chaplyginSleighCases: readonly Case[] = [
     title: 'Chaplygin sleigh turning round',
     source: 'The classical example of a nonholonomic system',
     look: 'Pushed backwards with a slight spin, the sleigh turns about and runs on with its centre of mass ahead. No loss, no force that does work, and yet only one direction is stable.',
+    picture: { time: 3.4, distance: 1.8 },
     scenario: {
       version: 1,
       system: 'chaplygin-sleigh',

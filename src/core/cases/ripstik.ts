@@ -8,6 +8,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Ridden board',
     source: '',
     look: 'Feet twist the plates out of phase: with free casters and no push, the board gathers speed.',
+    picture: { time: 4.3 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -31,6 +32,8 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced by its steering motors',
     source: '',
     look: 'Ten degrees of lean at 1 m/s: two small motors on the casters steer the board back under itself. Open Control and change a weight while it rides.',
+    chapter: '3.5',
+    picture: { time: 0.25 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -48,6 +51,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Released at 1 m/s',
     source: '',
     look: 'Half a degree of lean grows until a corner of the deck touches the ground.',
+    picture: { time: 0.52 },
     scenario: { version: 1, system: 'ripstik', initial: { X_dot: 1, alpha: '0.5 deg' }, duration: 10 },
     plots: [
       { title: 'Roll of the plates on the rod', x: 't', y: ['alpha_fp', 'alpha_bp'], unit: 'deg' },
@@ -59,6 +63,7 @@ export const ripstikCases: readonly Case[] = [
       id: `coasting-${speed}`,
       title: `Released at ${speed} m/s`,
       source: '',
+      picture: { time: speed === 2 ? 0.56 : 0.61 },
       look: 'The same half degree of lean: the faster the board coasts, the later it falls. Its casters steer into the fall, but too little to stop it.',
       scenario: { version: 1, system: 'ripstik', initial: { X_dot: speed, alpha: '0.5 deg' }, duration: 10 },
       plots: [
@@ -71,7 +76,8 @@ export const ripstikCases: readonly Case[] = [
     id: 'falling-report',
     title: 'Falling board (Fig. 14 to 17)',
     source: 'Report, section 3.4.4, Fig. 14 to 17',
-    look: 'As the report has it: the board swings through the ground and back; its best method took 26.4 s for these 5.8 s.',
+    look: 'As the report has it, the board swings through the ground and back; its best method took 26.4 s for these 5.8 s. Not reproduced are the depth of Fig. 14 and the return by 1.4 s of Fig. 15: with the corrected equations the plates do not come back together.',
+    picture: { time: 0.3 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -82,6 +88,10 @@ export const ripstikCases: readonly Case[] = [
       events: { touchdown: 'ignore' },
     },
     figure: 'Fig. 14 to 17',
+    figures: [
+      { title: 'Fig. 17: upright at first', time: 0 },
+      { title: 'Fig. 17: fallen over', time: 0.3 },
+    ],
     chapter: '3.4.4',
     published: [
       { what: 'front plate swings to', measure: { kind: 'max', column: 'alpha_fp', to: 1.4 }, value: 5.4, unit: 'rad', tolerance: 0.4, source: 'Fig. 15, read from the picture' },
@@ -100,6 +110,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Falling onto the ground',
     source: 'Report, section 3.4.4, with rolling constraints and a ground',
     look: 'Ten degrees of lean at rest, stopped by the ground.',
+    picture: { time: 0.17 },
     scenario: { version: 1, system: 'ripstik', initial: { alpha: '10 deg' }, duration: 5 },
     chapter: '3.4.4',
     plots: [
@@ -112,6 +123,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Hanging board (Fig. 8 to 10)',
     source: 'Report, section 3.3.2, Fig. 8 to 10',
     look: 'The rod is held; plates swing like pendulums and the casters turn under them, to ±129°. The report shows casters within ±45°: there the wheel offset did not turn with the plate.',
+    picture: { time: 0.5 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -122,6 +134,10 @@ export const ripstikCases: readonly Case[] = [
       duration: 10,
     },
     figure: 'Fig. 8 to 10',
+    figures: [
+      { title: 'Fig. 10: one extreme position', time: 0 },
+      { title: 'Fig. 10: the other', time: 0.5 },
+    ],
     chapter: '3.3.3',
     published: [
       { what: 'front plate swings between', measure: { kind: 'max', column: 'alpha_fp' }, value: Math.PI / 4, unit: 'rad', tolerance: 0.1, source: 'Section 3.3.3: between 45° and -45°' },
@@ -139,6 +155,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Ridden in a turn',
     source: '',
     look: 'The same gait, 15° with a bias of 5°: the bias turns the board.',
+    picture: { time: 6, distance: 1.6 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -161,6 +178,8 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced by the feet, at rest',
     source: '',
     look: 'Ten degrees of lean without a push: both feet roll the plates upright again, and the casters swing out and back. At rest a board is held up by its rider alone.',
+    chapter: '3.5',
+    picture: { time: 0.1 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -178,6 +197,8 @@ export const ripstikCases: readonly Case[] = [
     title: 'Balanced, and pushed',
     source: 'Report, section 3.5: its two disturbances, here on both plates',
     look: 'At 1 m/s the steering motors catch a push to one side at 2 s and one to the other at 6 s. Pull at a plate yourself, while it rides: a spring pulls where you drag.',
+    chapter: '3.5',
+    picture: { time: 2.2 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -196,6 +217,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Gains that follow the speed',
     source: '',
     look: 'Driven from 0.5 to 4 m/s, its gains interpolated at the speed it has. Switch the schedule off in Control: the gain for 3 m/s alone lets it fall within a second.',
+    picture: { time: 1.5 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -214,6 +236,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Holds its speed on a circle',
     source: '',
     look: 'Feet twist the plates to and fro by 9.6° at 2 Hz about a twist of 3.8°. Against the drag of the wheels that holds 1 m/s, from whatever speed it starts, on a circle 4 m across.',
+    picture: { time: 10.5, distance: 1.5 },
     scenario: {
       version: 1,
       system: 'ripstik',

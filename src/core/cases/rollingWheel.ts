@@ -11,6 +11,7 @@ export const rollingWheelCases: readonly Case[] = [
     figure: 'Fig. 11 and 12',
     chapter: '3.4.1',
     look: 'Without turning the wheel rolls along a straight line; its heading stays, its angle grows steadily.',
+    picture: { time: 1.5 },
     scenario: { version: 1, system: 'rolling-wheel', initial: { theta: 1.2, phi_dot: 3, theta_dot: 0 }, method: tight, duration: 5 },
     published: [
       { what: 'X at 5 s', measure: { kind: 'end', column: 'X' }, value: 15 * Math.cos(1.2), unit: 'm', tolerance: 1e-9, source: closedForm },
@@ -28,6 +29,7 @@ export const rollingWheelCases: readonly Case[] = [
     source: 'Report, section 3.4.1',
     chapter: '3.4.1',
     look: 'A wheel that also turns draws a circle of radius ρ φ′ / θ′; the constraint forces hold it on it and do no work.',
+    picture: { time: 5, distance: 1.4 },
     scenario: { version: 1, system: 'rolling-wheel', initial: { theta: 1.2, phi_dot: 3, theta_dot: 1 }, method: tight, duration: 7 },
     published: [
       { what: 'diameter', measure: { kind: 'diameter', x: 'X', y: 'Y' }, value: 6, unit: 'm', tolerance: 1e-9, source: closedForm },

@@ -9,6 +9,7 @@ function run(method: string, name: string, step: number, look: string, steps: re
     figure: 'Fig. 13',
     chapter: '3.4.3',
     look,
+    picture: { time: step > 0.2 ? 0 : step * (method === 'euler' ? 2 : 1) },
     scenario: { version: 1, system: 'stiff-decay', method: { name: method, step }, duration: 1, outputStep: step },
     published: steps.map((value, k) => ({
       what: `y after ${k + 1} step${k === 0 ? '' : 's'}`,

@@ -9,6 +9,7 @@ export const wheelPendulumCases: readonly Case[] = [
     source: 'Report, section 3.5.1',
     chapter: '3.5.1',
     look: 'Upright at ψ = -90°, six degrees off: the rod falls and its wheel rolls away under it. (Nothing keeps the rod out of the ground.)',
+    picture: { time: 0.9 },
     scenario: { version: 1, system: 'wheel-pendulum', initial: { psi: '-96 deg' }, method: { rtol: 1e-10 }, duration: 10 },
     plots: [
       { title: 'Hub', x: 't', y: ['X'], unit: 'm' },
@@ -21,6 +22,7 @@ export const wheelPendulumCases: readonly Case[] = [
     source: 'Report, section 3.5.1, and the authors’ later figures',
     chapter: '3.5.1',
     look: 'The regulator catches the rod, then two blows at 8 s and 12 s: the wheel rolls under it, and back.',
+    picture: { time: 8.4 },
     scenario: {
       version: 1,
       system: 'wheel-pendulum',

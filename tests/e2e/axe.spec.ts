@@ -44,6 +44,9 @@ for (const theme of ['light', 'dark'] as const) {
       await page.getByTestId('duration').fill('soon');
       await page.getByTestId('duration').press('Tab');
       found.push(...(await check(page, 'panel unfolded', '.panel.left')));
+      await page.getByTestId('case-menu').click();
+      found.push(...(await check(page, 'gallery', 'dialog')));
+      await page.keyboard.press('Escape');
       await page.getByTestId('export-menu').click();
       found.push(...(await check(page, 'menu', '.top')));
       await page.keyboard.press('Escape');

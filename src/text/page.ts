@@ -16,7 +16,7 @@ export const text = {
     rawForce: 'generalized force', siUnit: 'SI',
     control: 'Control', controlKind: 'Controller', controlNone: 'None', controlTrack: 'Track a reference', controlLqr: 'Linear-quadratic regulator (LQR)',
     reference: 'reference', kp: 'proportional gain', kd: 'derivative gain', trackHint: 'References are expressions of t, e.g. 20 deg * sin(2*pi*1.5*t).',
-    run: 'Run', time: 'Time and events', duration: 'duration',
+    run: 'Run', runKeys: 'Enter in a field, or Ctrl Enter', time: 'Time and events', duration: 'duration',
     outputStep: 'output step', touchdown: 'When a plate touches the ground', stop: 'Stop', ignore: 'Run on',
     cancel: 'Cancel', reset: 'Reset', notInForce: (n: number) => (n === 1 ? '1 field is not in force' : `${n} fields are not in force`),
     differs: (name: string) => `${name} differs from the case: set it back`, scrub: 'Drag to change', solved: 'solved', moved: 'moved to fit', gaveWay: 'gave way',
@@ -111,6 +111,6 @@ export const text = {
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
     ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
     ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'],
-    ['Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
+    ['Enter in a field, Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

@@ -40,7 +40,7 @@ function RunBar() {
         <p class="outcome">{run.message || `${text.status.reasons[run.reason] ?? run.reason}, ${formatTime(run.time)} s`}</p>
       )}
       <div class="run-buttons">
-        <button type="button" class="primary" data-testid="run" disabled={errors.length > 0} title="Ctrl Enter" onClick={() => actions.run()}>
+        <button type="button" class="primary" data-testid="run" disabled={errors.length > 0} title={text.panel.runKeys} onClick={() => actions.run()}>
           {text.panel.run} <span aria-hidden="true">▸</span>
         </button>
         <button type="button" data-testid="cancel" disabled={!computing} onClick={() => actions.cancel()}>{text.panel.cancel}</button>

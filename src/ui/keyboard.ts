@@ -12,9 +12,9 @@ export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
   useEffect(() => {
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
-      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey || runsOnEnter(event.target))) {
         // after the field has taken the key and what it led to has been drawn
-        setTimeout(() => app.actions.run());
+        setTimeout(() => { if (!refused(event.target)) app.actions.run(); });
         return;
       }
       if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target) || (event.key === ' ' && pressing(event.target))) return;
@@ -24,6 +24,13 @@ export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
     return () => window.removeEventListener('keydown', onKeyDown);
   }, []);
 }
+
+/** Enter in a field of the experiment runs it; a regulator's fields act on the running motion instead. */
+function runsOnEnter(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && target.type === 'text' && target.closest('.experiment') !== null && target.closest('.lqr') === null;
+}
+
+const refused = (target: EventTarget | null): boolean => target instanceof HTMLInputElement && target.ariaInvalid === 'true';
 
 function typing(target: EventTarget | null): boolean {
   // The transport's slider is the time line itself; every other one keeps its arrows, Home and End.

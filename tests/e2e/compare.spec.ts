@@ -30,6 +30,7 @@ test('runs are kept, overlaid, subtracted and shown as ghosts; a file stands bes
   await pause(page);
   // Same board, another speed: told by key, as written.
   await expect(id('scenario-initial.X_dot').locator('td')).toHaveText(['2', '1']);
+  await expect(id('difference-X_dot')).toBeVisible();
   const [rms, largest, , final] = await cells(page, 'difference-X_dot');
   expect(rms).toBeCloseTo(1, 1);
   expect(largest).toBeGreaterThanOrEqual(rms!);

@@ -253,3 +253,11 @@ export async function differingPixels(page: Page, a: Buffer, b: Buffer, box?: Bo
     [a.toString('base64'), b.toString('base64'), box ?? null] as const,
   );
 }
+
+/** Told with the test, never asserted: machines differ. */
+export function measured(figure: string): void {
+  test.info().annotations.push({ type: 'measured', description: figure });
+  console.log(figure);
+}
+
+export const medianOf = (list: readonly number[]): number => [...list].sort((a, b) => a - b)[list.length >> 1]!;

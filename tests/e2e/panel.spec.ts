@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import { chooseCase, ended, openPage, seek, type as typeInto, VIEWPORT } from './helpers.ts';
+import { chooseCase, ended, measured, medianOf, openPage, seek, type as typeInto, VIEWPORT } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -49,4 +49,39 @@ test('fields read degrees and expressions, refuse nonsense, and show what the st
   await expect(error).toHaveCount(0);
   await runAndGoToStart();
   await expect(plateAngle).toHaveText('−10.00');
+});
+
+test('Enter in a field runs it: the first frame of the new run comes at once', async ({ page }) => {
+  const watch = await openPage(page);
+  await chooseCase(page, 'released');
+  await ended(page, 2, 'touchdown');
+  const waits = await page.evaluate(async () => {
+    const field = document.querySelector<HTMLInputElement>('[data-testid="initial-alpha"]')!;
+    const { state } = (window as unknown as { ripstikApp: { state: { motion: { value: { id: number } } } } }).ripstikApp;
+    const frame = () => new Promise<number>((done) => requestAnimationFrame(done));
+    const list: number[] = [];
+    for (let k = 1; k <= 9; k++) {
+      const before = state.motion.value.id;
+      field.focus();
+      field.value = `${k / 10}`;
+      field.dispatchEvent(new InputEvent('input', { bubbles: true }));
+      await frame();
+      const from = performance.now();
+      field.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true, cancelable: true }));
+      while (state.motion.value.id === before) await frame();
+      const drawn = window.ripstikScene!.stats().frames;
+      while (window.ripstikScene!.stats().frames === drawn) await frame();
+      list.push(performance.now() - from);
+      for (let i = 0; i < 20; i++) await frame();
+    }
+    return list;
+  });
+  measured(`from Enter to the first frame of the new run: ${waits.map((ms) => ms.toFixed(0)).join(' ')} ms, median ${medianOf(waits).toFixed(0)} ms`);
+  // What is written is refused: nothing runs.
+  const run = await page.getByTestId('end-time').innerText();
+  await page.getByTestId('duration').fill('2 +');
+  await page.getByTestId('duration').press('Enter');
+  await expect(page.getByTestId('duration')).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.getByTestId('end-time')).toHaveText(run);
+  expect(watch.errors).toEqual([]);
 });

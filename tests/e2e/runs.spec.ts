@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
-import { chooseCase, drop, ended, exportCsv, numberIn, openPage, pause, seek, type as typeInto, VIEWPORT, workerEvents } from './helpers.ts';
+import { chooseCase, drop, ended, exportCsv, measured, numberIn, openPage, pause, seek, type as typeInto, VIEWPORT, workerEvents } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -74,8 +74,7 @@ test('a long run is cancelled at once, keeps its rows, and the next run replaces
   const asked = events.find((event) => event.sent && event.type === 'cancel')!;
   const answered = events.find((event) => event.type === 'ended')!;
   const figure = `cancel answered after ${(answered.at - asked.at).toFixed(0)} ms, ${kept.toFixed(0)} s of motion kept`;
-  test.info().annotations.push({ type: 'measured', description: figure });
-  console.log(figure);
+  measured(figure);
 
   // Once more, and this time another run takes its place while it computes.
   await page.getByTestId('run').click();
@@ -120,6 +119,5 @@ test('a 60 s run streams in; tasks longer than 50 ms on the main thread are meas
   const durations = tasks.map((task) => task.duration);
   const total = durations.reduce((sum, x) => sum + x, 0);
   const figure = `60 s run streamed in ${(to - from).toFixed(0)} ms: ${tasks.length} long tasks, longest ${Math.max(0, ...durations).toFixed(0)} ms, together ${total.toFixed(0)} ms`;
-  test.info().annotations.push({ type: 'measured', description: figure });
-  console.log(figure);
+  measured(figure);
 });

@@ -1,6 +1,6 @@
 /** An expression of t, on a line of its own. */
 import type { ComponentChildren } from 'preact';
-import { useEffect, useId, useState } from 'preact/hooks';
+import { useId, useLayoutEffect, useState } from 'preact/hooks';
 import { compileExpression } from '../core/scenario/expressions.ts';
 import type { NumberOrExpression } from '../core/scenario/types.ts';
 import { setRejected, useUi } from './context.ts';
@@ -40,8 +40,8 @@ export function ExpressionField({ path, symbol, label, shown = label, unit, valu
     setOwn(problem);
     setRejected(ui, path, problem);
   };
-  useEffect(() => settle(null, null), [value, ui.epoch.value]);
-  useEffect(() => () => setRejected(ui, path, null), []);
+  useLayoutEffect(() => settle(null, null), [value, ui.epoch.value]);
+  useLayoutEffect(() => () => setRejected(ui, path, null), []);
 
   const accept = () => {
     if (typed === null) return;

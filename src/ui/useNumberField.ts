@@ -1,5 +1,5 @@
 /** A field's behaviour: typed text, errors, stepping, scrubbing. What it looks like is `numberField.tsx`. */
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { evaluateNumber } from '../core/scenario/expressions.ts';
 import type { NumberOrExpression } from '../core/scenario/types.ts';
 import { setRejected, useUi } from './context.ts';
@@ -47,9 +47,9 @@ export function useNumberField(spec: NumberSpec) {
     setError(problem);
     setRejected(ui, spec.path, problem);
   };
-  // a value set from elsewhere (another case, a reset) takes the place of rejected text
-  useEffect(() => settle(null, null), [spec.value, ui.epoch.value]);
-  useEffect(() => () => setRejected(ui, spec.path, null), []);
+  // A value set from elsewhere (another case, a reset) takes the place of rejected text: at once, as what is typed after it must stay.
+  useLayoutEffect(() => settle(null, null), [spec.value, ui.epoch.value]);
+  useLayoutEffect(() => () => setRejected(ui, spec.path, null), []);
 
   const accept = (): boolean => {
     if (typed === null) return error === null;

@@ -1,6 +1,6 @@
 /** One plot: its curves, what they are at the present time, and how to change it. */
 import { effect, useSignal, type Signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import type { App, Motion, PlotPane } from '../../app/types.ts';
 import { createPanePlot, type PanePlot } from '../../charts/panePlot.ts';
 import { text } from '../../text/plots.ts';
@@ -72,7 +72,7 @@ export function PaneView(props: PaneProps) {
   );
 }
 
-/** Makes the drawing once, and draws when rows, range, units, curves or theme change. */
+/** Makes the drawing once, in the same commit as the legend, so that a drag begun on what is seen is not lost; draws when rows, range, units, curves or theme change. */
 function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { current: PanePlot | null }, latest: { current: PaneProps }, infoOf: (name: string) => ColumnInfo): void {
   const { pane } = latest.current;
   const { state } = app;
@@ -80,7 +80,7 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
   const { degrees, wrapped } = state.plots.value;
   const theme = state.theme.value;
   const units = unitOf(pane.y.map(infoOf), degrees);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const element = host.current!;
     const token = (name: string): string => getComputedStyle(element).getPropertyValue(name).trim();
     const x = infoOf(pane.x);

@@ -1,4 +1,7 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
+import { legendBar } from './app/forceScale.ts';
+import { ghostsAt, type GhostPoses } from './app/ghosts.ts';
+import { Pace } from './app/pace.ts';
 import type { GlbPlan, Shot, ShotPlan } from './app/studio.ts';
 import type { App, Motion } from './app/types.ts';
 import { MotionSampler } from './core/trajectory/motionSampler.ts';
@@ -13,28 +16,57 @@ function watched(app: App, dressed: Dressed): Motion {
 
 const samplerOf = (motion: Motion): MotionSampler => new MotionSampler(motion.system, motion.parameters, motion.trajectory, motion.constraints);
 
-export function openShot(app: App, page: SceneView, dressed: Dressed, plan: ShotPlan): Shot {
+/** Kept runs stand in the picture as they do on the page; their samplers are the picture's own. */
+async function ghostPoses({ state }: App, pace: Pace): Promise<(time: number) => readonly GhostPoses[]> {
+  const samplers = new Map<Motion, MotionSampler>();
+  for (const { motion, ghost } of state.kept.peek()) {
+    if (!ghost) continue;
+    samplers.set(motion, samplerOf(motion));
+    await caughtUp(samplers.get(motion)!, motion.trajectory.start, pace);
+  }
+  return (time) => ghostsAt(state, { samplerOf: (motion) => samplers.get(motion) ?? samplerOf(motion) }, time);
+}
+
+/** Paths and rolled wheels over all rows there are: a sampler follows a long run in parts. */
+async function caughtUp(sampler: MotionSampler, time: number, pace: Pace): Promise<void> {
+  while (sampler.behind && sampler.sample(time)) if (pace.over) await pace.breathe();
+}
+
+export async function openShot(app: App, page: SceneView, dressed: Dressed, plan: ShotPlan, signal?: AbortSignal): Promise<Shot> {
   const { state } = app;
-  const sampler = samplerOf(watched(app, dressed));
+  const { look } = state;
+  const motion = watched(app, dressed);
+  const sampler = samplerOf(motion);
+  const pace = new Pace(signal);
+  await caughtUp(sampler, plan.from, pace);
+  const ghosts = await ghostPoses(app, pace);
   const forces = state.showForces.peek();
-  const capture = openCapture({ ...plan, theme: state.theme.peek() });
+  const perNewton = look.metresPerNewton.peek();
+  const capture = openCapture({
+    ...plan, theme: state.theme.peek(),
+    closeUp: look.inset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,
+    legend: forces && motion.system.contacts.length > 0 ? (pixels) => legendOf(perNewton, pixels) : null,
+  });
   const { view } = capture;
+  let last = Number.NaN;
   const put = (time: number): void => {
+    if (time === last) return;
+    last = time;
     sampler.sample(time);
     view.setTrails(sampler.tracks());
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: forces ? sampler.forces(time) : [] });
+    view.setGhosts(ghosts(time));
   };
   try {
     view.setModels(dressed.models, dressed.cast!);
-    view.setSwitches({ trails: state.showTrails.peek(), forces });
+    view.setSwitches({
+      trails: state.showTrails.peek(), forces, names: look.names.peek(), frames: look.frames.peek(), metresPerNewton: perNewton, level: look.level.peek(),
+    });
     view.setFollow(plan.follow);
     const asOnPage = plan.view === 'page';
     view.setView(asOnPage ? state.view.peek() : (plan.view as Exclude<typeof plan.view, 'page'>));
     put(asOnPage ? state.time.peek() : plan.from);
-    if (asOnPage) {
-      const { camera, target } = page.placement();
-      view.setPlacement(camera, target);
-    }
+    if (asOnPage) view.setPlacement(page.placement());
   } catch (error) {
     capture.dispose();
     throw error;
@@ -47,6 +79,11 @@ export function openShot(app: App, page: SceneView, dressed: Dressed, plan: Shot
     },
     dispose: () => capture.dispose(),
   };
+}
+
+function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: number; label: string } | null {
+  const bar = legendBar(metresPerNewton, pixelsPerMetre);
+  return bar && { pixels: bar.pixels, label: `${bar.newtons}\u2009N` };
 }
 
 /** Keyframe times (s): the run's rows within the range, or so many a second. */

@@ -14,9 +14,11 @@ export interface ShotPlan {
   follow: boolean;
   /** Where the motion starts: the camera of a named view is placed there (s). */
   from: number;
+  /** What stands over the close-up in the corner. */
+  closeUpTitle: string;
 }
 
-/** A second scene beside the one on the page, drawn on demand. */
+/** A second scene beside the one on the page, drawn on demand, with all that is chosen to be seen there. */
 export interface Shot {
   /** Holds the last picture, `width` by `height`. */
   canvas: HTMLCanvasElement;
@@ -35,7 +37,7 @@ export interface GlbPlan {
 
 export interface Studio {
   /** @throws Error when the graphics processor can't draw at that size, or there is no motion. */
-  open(plan: ShotPlan): Promise<Shot>;
+  open(plan: ShotPlan, signal?: AbortSignal): Promise<Shot>;
   /** A binary glTF 2.0 file. @throws Error without a motion. */
   glb(plan: GlbPlan): Promise<Uint8Array<ArrayBuffer>>;
 }

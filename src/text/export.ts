@@ -4,7 +4,7 @@ export const exportText = {
   size: 'Size', own: 'own size', width: 'Width (px)', height: 'Height (px)', square: 'square',
   background: 'Background', backgrounds: { theme: 'as on the page', transparent: 'transparent, shadow only' },
   labels: 'Metre labels on the grid', fine: 'Draw at twice the size, then shrink: smoother edges',
-  view: 'View', views: { page: 'as on the page', orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster' },
+  view: 'View', views: { page: 'as on the page', orbit: 'Orbit', front: 'Front', side: 'Side', top: 'Top', caster: 'Caster', rider: 'Aboard' },
   follow: 'Camera follows the motion', caption: 'Write the title and the time into the picture', range: 'Part of the run', from: 'From (s)', to: 'To (s)',
   fps: 'Frames per second', speed: 'Playback speed', slow: (speed: string) => `${speed} slow motion`, fast: (speed: string) => `${speed} faster`, real: 'true speed',
   rate: 'Keyframes', rows: (n: string) => `the run’s ${n} rows`, perSecond: (n: number) => `${n} a second`,
@@ -22,5 +22,6 @@ export const exportText = {
   empty: 'The part must end after it begins.', busy: 'An export is under way.', checking: 'Looking for a video encoder …',
   progress: (done: number, all: number) => `${done} of ${all} frames`, preparing: 'Preparing', progressLabel: 'Export under way',
   done: (name: string) => `Saved ${name}`, failed: 'The export failed', cancelled: 'The export was cancelled',
+  seen: (title: string, view: string) => `${title} ${view}`,
   burnt: (title: string, t: string) => `${title}   ${t} s`,
 } as const;

@@ -51,18 +51,21 @@ async function work(app: App, all: number, make: (signal: AbortSignal) => Promis
   }
 }
 
+/** A picture says in its name from where it was taken. */
+const titleOf = ({ title }: Motion, view: ShotPlan['view']): string => (view === 'page' ? title : text.seen(title.replace(/\.csv$/i, ''), text.views[view]));
+
 const progress = (done: number): void => void (job.value = { ...job.peek()!, done });
 
 export function savePicture(app: App, studio: Studio, motion: Motion): Promise<void> {
   const { width, height, transparent, labels, fine, view } = choices.picture.peek();
   const time = app.state.time.peek();
-  return work(app, 1, async () => {
-    const shot = await studio.open({ width, height, transparent, labels: labels && !transparent, supersample: fine ? 2 : 1, view, follow: true, from: time });
+  return work(app, 1, async (signal) => {
+    const shot = await studio.open({ width, height, transparent, labels: labels && !transparent, supersample: fine ? 2 : 1, view, follow: true, from: time, closeUpTitle: page.look.insetTitle }, signal);
     try {
       shot.draw(time, null);
       const blob = await new Promise<Blob | null>((done) => shot.canvas.toBlob(done, 'image/png'));
       if (!blob) throw new Error(`The browser could not write a picture of ${width} × ${height} pixels.`);
-      return { name: fileName(motion.title, 'png'), part: blob, type: 'image/png' };
+      return { name: fileName(titleOf(motion, view), 'png'), part: blob, type: 'image/png' };
     } finally {
       shot.dispose();
     }
@@ -74,7 +77,7 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
   const range: VideoRange = { ...rangeOf(motion), fps, speed };
   const frames = frameCount(range);
   return work(app, frames, async (signal) => {
-    const shot = await studio.open({ width, height, transparent: false, labels, supersample: fine ? 2 : 1, view, follow: follow ?? app.state.follow.peek(), from: range.from });
+    const shot = await studio.open({ width, height, transparent: false, labels, supersample: fine ? 2 : 1, view, follow: follow ?? app.state.follow.peek(), from: range.from, closeUpTitle: page.look.insetTitle }, signal);
     const { encodeVideo } = await import('../../media/video.ts');
     const draw = (k: number): void => {
       const t = frameTime(range, k);
@@ -82,7 +85,7 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
     };
     try {
       const blob = await encodeVideo({ canvas: shot.canvas, encoding, frames, fps, bitrate: bitrateFor(width, height, fps), draw, onFrame: progress, signal });
-      return { name: fileName(motion.title, encoding.extension), part: blob, type: encoding.mime };
+      return { name: fileName(titleOf(motion, view), encoding.extension), part: blob, type: encoding.mime };
     } finally {
       shot.dispose();
     }

@@ -2,7 +2,7 @@
 import { legendBar } from './app/forceScale.ts';
 import { ghostsAt, type GhostPoses } from './app/ghosts.ts';
 import { Pace } from './app/pace.ts';
-import type { GlbPlan, Shot, ShotPlan } from './app/studio.ts';
+import type { GlbPlan, Shot, ShotPlan, Watching } from './app/studio.ts';
 import type { App, Motion } from './app/types.ts';
 import { MotionSampler } from './core/trajectory/motionSampler.ts';
 import { openCapture } from './scene/capture.ts';
@@ -87,29 +87,32 @@ function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: nu
 }
 
 /** Keyframe times (s): the run's rows within the range, or so many a second. */
-function keyTimes(motion: Motion, { from, to, rate }: GlbPlan): Float64Array {
-  const rows = motion.trajectory.column('t')!;
-  if (rate === null) return rows.filter((t, i) => t >= from && t <= to && (i === 0 || t > rows[i - 1]!));
-  return Float64Array.from({ length: Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1) }, (_, k) => from + k / rate);
+function keyTimes({ trajectory }: Motion, { from, to, rate }: GlbPlan): Float64Array {
+  if (rate !== null) return Float64Array.from({ length: Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1) }, (_, k) => from + k / rate);
+  const rows = trajectory.column('t')!.slice(trajectory.locate(from), trajectory.locate(to) + 1);
+  let count = 0;
+  for (const t of rows) if (t >= from && (count === 0 || t > rows[count - 1]!)) rows[count++] = t;
+  return rows.subarray(0, count);
 }
 
-export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan): Promise<Uint8Array<ArrayBuffer>> {
+export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan, { signal, onKey }: Watching): Promise<Blob> {
   const motion = watched(app, dressed);
   const { glbOf } = await import('./scene/gltf.ts');
+  const pace = new Pace(signal);
   const sampler = samplerOf(motion);
+  await caughtUp(sampler, plan.from, pace);
   const times = keyTimes(motion, plan);
-  const width = sampler.poses.length;
-  const wheels = sampler.wheelAngles.length;
-  const poses = new Float64Array(width * times.length);
-  const wheelAngles = new Float64Array(wheels * times.length);
-  times.forEach((t, k) => {
-    sampler.sample(t);
-    poses.set(sampler.poses, width * k);
-    wheelAngles.set(sampler.wheelAngles, wheels * k);
-  });
   return glbOf({
-    title: motion.title, models: dressed.models, cast: dressed.cast!, theme: app.state.theme.peek(), times, poses, wheelAngles, wheels,
-    generator: plan.generator,
+    title: motion.title, models: dressed.models, cast: dressed.cast!, theme: app.state.theme.peek(), times, generator: plan.generator,
     extras: { title: motion.title, system: motion.system.meta.id, start: times[0] ?? 0, parameters: motion.parameters, scenario: motion.written ?? motion.scenario },
+    at(time) {
+      sampler.sample(time);
+      return sampler;
+    },
+    pause(keys) {
+      if (!pace.over) return null;
+      onKey(keys);
+      return pace.breathe();
+    },
   });
 }

@@ -1,0 +1,74 @@
+/** A canvas taken down by the browser's own recorder as it plays, for browsers without WebCodecs. */
+import {
+  ALL_FORMATS, BlobSource, BufferTarget, EncodedPacketSink, EncodedVideoPacketSource, Input, Mp4OutputFormat, Output, WebMOutputFormat,
+  type EncodedPacket, type InputVideoTrack,
+} from 'mediabunny';
+import type { VideoJob } from './video.ts';
+
+export const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+export const containerOf = (extension: 'mp4' | 'webm'): Mp4OutputFormat | WebMOutputFormat => (extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat());
+
+/** Plays all frames, each for its time on the clock on the wall. @throws as `encodeVideo` */
+export async function record(job: VideoJob): Promise<Blob> {
+  const { canvas, encoding, frames, fps, bitrate, draw, onFrame, signal } = job;
+  draw(0);
+  const stream = canvas.captureStream(0);
+  const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
+  const recorder = new MediaRecorder(stream, { mimeType: encoding.mime, videoBitsPerSecond: bitrate });
+  const parts: Blob[] = [];
+  recorder.addEventListener('dataavailable', (event) => parts.push(event.data));
+  const stopped = new Promise<void>((done, fail) => {
+    recorder.addEventListener('stop', () => done());
+    recorder.addEventListener('error', () => fail(new Error('The browser stopped recording.')));
+  });
+  recorder.start();
+  const began = performance.now();
+  try {
+    for (let k = 0; k < frames; k++) {
+      signal.throwIfAborted();
+      draw(k);
+      track.requestFrame();
+      onFrame(k + 1);
+      await pause(Math.max(0, began + (1000 * (k + 1)) / fps - performance.now()));
+    }
+  } finally {
+    if (recorder.state !== 'inactive') recorder.stop();
+    track.stop();
+  }
+  await stopped;
+  return timed(new Blob(parts, { type: encoding.mime }), job);
+}
+
+/**
+ * The recording in a container that says how long it is, as recorders' own do not: every frame at its exact time where
+ * none is missing, else when the recorder saw it.
+ */
+async function timed(recorded: Blob, { encoding, frames, fps }: VideoJob): Promise<Blob> {
+  const input = new Input({ formats: ALL_FORMATS, source: new BlobSource(recorded) });
+  const track = await input.getPrimaryVideoTrack();
+  const codec = await track?.getCodec();
+  const packets = track ? await packetsOf(track) : [];
+  if (!track || !codec || packets.length === 0) throw new Error('The browser’s recorder gave no video.');
+  const target = new BufferTarget();
+  const output = new Output({ format: containerOf(encoding.extension), target });
+  const source = new EncodedVideoPacketSource(codec);
+  output.addVideoTrack(source, { frameRate: fps });
+  await output.start();
+  const first = packets[0]!.timestamp;
+  const complete = packets.length === frames;
+  const timeOf = (k: number): number => (complete ? k / fps : k < packets.length ? packets[k]!.timestamp - first : Math.max(frames / fps, packets.at(-1)!.timestamp - first + 1 / fps));
+  const decoderConfig = (await track.getDecoderConfig()) ?? undefined;
+  for (const [k, packet] of packets.entries()) {
+    await source.add(packet.clone({ timestamp: timeOf(k), duration: timeOf(k + 1) - timeOf(k) }), k === 0 && decoderConfig ? { decoderConfig } : undefined);
+  }
+  await output.finalize();
+  return new Blob([target.buffer!], { type: encoding.mime });
+}
+
+/** In the order in which they are shown, which is a recorder's own. */
+async function packetsOf(track: InputVideoTrack): Promise<EncodedPacket[]> {
+  const packets: EncodedPacket[] = [];
+  for await (const packet of new EncodedPacketSink(track).packets()) packets.push(packet);
+  return packets;
+}

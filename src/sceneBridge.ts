@@ -1,5 +1,5 @@
 import { effect, signal, type Signal } from '@preact/signals';
-import { bodyPoint, canPush, firmness, pull } from './app/hand.ts';
+import { bodyPoint, bodyVelocity, canPush, firmness, pull } from './app/hand.ts';
 import { ghostsAt } from './app/ghosts.ts';
 import type { Studio } from './app/studio.ts';
 import type { Stage } from './app/stage.ts';
@@ -77,15 +77,21 @@ function connectLook({ state }: App, view: SceneView): void {
 
 /** What the hand in the scene does becomes the state's grab. */
 function hand({ state }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
+  // Between two pictures the hand goes along with the camera, as it does to the eye.
+  const moving = (velocity: readonly [number, number, number]) => ({ velocity, since: state.time.peek() });
+  const REST = [0, 0, 0] as const;
   return {
     onGrab({ body, point, world }) {
       const motion = state.motion.peek();
       const id = motion?.system.meta.bodies[body]?.id;
-      if (motion && id !== undefined) state.grab.value = { body: id, point, target: world, ...firmness(motion) };
+      if (motion && id !== undefined) {
+        const along = state.follow.peek() || state.view.peek() === 'rider';
+        state.grab.value = { body: id, point, target: world, moving: moving(along ? bodyVelocity(motion, state.time.peek(), body) : REST), ...firmness(motion) };
+      }
     },
-    onPull(target) {
+    onPull(target, velocity) {
       const grab = state.grab.peek();
-      if (grab) state.grab.value = { ...grab, target };
+      if (grab) state.grab.value = { ...grab, target, moving: moving(velocity) };
     },
     onRelease: () => void (state.grab.value = null),
   };

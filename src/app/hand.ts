@@ -7,6 +7,8 @@ type Triple = readonly [number, number, number];
 /** A mass on the hand's spring would swing at this rate (rad/s), damped by this ratio. */
 const RATE = 5;
 const DAMPING = 0.35;
+/** Rates are looked at over this much time, s. */
+const STEP_S = 1e-5;
 
 /** Only a run of a system with forces can be pushed. */
 export const canPush = (motion: Motion | null): boolean => motion?.source === 'run' && motion.system.meta.order !== 1;
@@ -16,6 +18,21 @@ export function firmness({ system: { meta }, parameters }: Pick<Motion, 'system'
   const masses = meta.parameters.filter(({ unit }) => unit === 'kg').map(({ name, default: value }) => Math.abs(parameters[name] ?? value));
   const mass = masses.reduce((sum, m) => sum + m, 0) || 1;
   return { stiffness: rounded(mass * RATE * RATE), damping: rounded(2 * DAMPING * mass * RATE) };
+}
+
+/** Velocity (m/s) of a body's origin in a run at a time: along the coordinates' rates, by a central difference of the poses. */
+export function bodyVelocity({ system, parameters, trajectory }: Pick<Motion, 'system' | 'parameters' | 'trajectory'>, time: number, body: number): [number, number, number] {
+  const { coordinates, parameters: known, bodies } = system.meta;
+  const row = trajectory.locate(time);
+  const value = (name: string): number => trajectory.column(name)?.[row] ?? 0;
+  const p = Float64Array.from(known, ({ name, default: rest }) => parameters[name] ?? rest);
+  const [ahead, behind] = [STEP_S, -STEP_S].map((s) => {
+    const poses = new Float64Array(12 * bodies.length);
+    system.poses(Float64Array.from(coordinates, ({ name }) => value(name) + s * value(`${name}_dot`)), p, poses);
+    return poses;
+  });
+  const rate = (c: number): number => (ahead![12 * body + c]! - behind![12 * body + c]!) / (2 * STEP_S);
+  return [rate(0), rate(1), rate(2)];
 }
 
 /** World position (m) of a point of body `index` among poses of 12 numbers each. */

@@ -136,9 +136,9 @@ export interface SceneOptions {
   onFirstFrame?: () => void;
   onContextLost?: () => void;
   onContextRestored?: () => void;
-  /** A body was taken hold of; where the hand is then, and with every move of hand or camera; and that it let go. */
+  /** A body was taken hold of; where the hand is then, and with every move of hand or camera, with how fast the camera takes it along (m/s of the motion's time); and that it let go. */
   onGrab?: (at: Pick) => void;
-  onPull?: (target: Point) => void;
+  onPull?: (target: Point, velocity: Point) => void;
   onRelease?: () => void;
   /** CSS pixels per metre at what is looked at, when that has changed. */
   onScale?: (pixelsPerMetre: number) => void;

@@ -74,6 +74,12 @@ export class Focus {
     return riderPlace(this.size, [at[0]!, at[1]!, at[2]!], at[3]!, level ? null : [at[4]!, at[5]!, at[6]!]);
   }
 
+  /** How fast the camera of a view goes along with what it follows, m/s. */
+  pace(view: ViewName): Triple {
+    const { speed } = view === 'rider' ? this.rider : this.follower;
+    return [speed[0]!, speed[1]!, speed[2]!];
+  }
+
   /** How much farther a view has to stand off in another picture. */
   dolly(view: ViewName, before: number, after: number, bodies: Bodies): number {
     const far = (aspect: number): number => {

@@ -8,8 +8,11 @@ export class Follower {
   readonly at: Float64Array;
   private readonly rate: number;
   private readonly goal: Float64Array;
-  private readonly speed: Float64Array;
+  /** How fast it goes there, per second. */
+  readonly speed: Float64Array;
   private time = Number.NaN;
+  /** Since a jump nothing is known of how fast the goal is. */
+  private fresh = true;
 
   /** @param rate 1/s: what is slower than this is followed, what is faster is smoothed away */
   constructor(size: number, rate: number) {
@@ -25,6 +28,10 @@ export class Follower {
     this.time = time;
     if (!(dt >= 0 && dt <= LONGEST)) return this.jump(goal);
     const { rate, at, speed } = this;
+    if (this.fresh && dt > 0) {
+      for (let i = 0; i < at.length; i++) speed[i] = (goal[i]! - this.goal[i]!) / dt;
+      this.fresh = false;
+    }
     const decay = Math.exp(-rate * dt);
     for (let i = 0; i < at.length; i++) {
       const step = goal[i]! - this.goal[i]!;
@@ -46,5 +53,6 @@ export class Follower {
   private jump(goal: ArrayLike<number>): void {
     this.put(goal);
     this.speed.fill(0);
+    this.fresh = true;
   }
 }

@@ -11,6 +11,8 @@ export interface Grabbed {
   pick(x: number, y: number, reach: number): Pick | null;
   /** Where the hand at a place on the screen holds the point that stands here in the body's frame. */
   reachTo(x: number, y: number, at: Pick): Point | null;
+  /** How fast the camera goes along with what it follows, m/s. */
+  pace(): Point;
 }
 
 export class Grab {
@@ -44,7 +46,7 @@ export class Grab {
     const target = this.scene.reachTo(held.x, held.y, held.at);
     if (!target || target.every((value, i) => value === held.last[i])) return;
     held.last = target;
-    this.tell.onPull?.(target);
+    this.tell.onPull?.(target, this.scene.pace());
   }
 
   release(): void {

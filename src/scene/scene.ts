@@ -34,7 +34,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   if (options.still?.transparent) parts.ground.hideDisc();
   if (options.still?.labels === false) parts.labels.hide();
   const focus = new Focus();
-  const grab = new Grab(canvas, { pick: pickAt, reachTo }, options); // hears of a press before the camera does
+  const grab = new Grab(canvas, { pick: pickAt, reachTo, pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]) }, options); // hears of a press before the camera does
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
   rig.camera.layers.enable(MARKS);
   const inset = new Inset();

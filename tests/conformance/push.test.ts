@@ -20,7 +20,7 @@ function draw(system: System, seed: number) {
   const v = Float64Array.from(coordinates, () => between(-2, 2));
   const p = Float64Array.from(parameters, (m) => m.default);
   const triple = (): [number, number, number] => [between(-1, 1), between(-1, 1), between(-1, 1)];
-  const push: Push = { body: bodies[Math.floor(random() * bodies.length)]!.id, point: triple(), target: triple(), stiffness: between(10, 200), damping: between(1, 20) };
+  const push: Push = { body: bodies[Math.floor(random() * bodies.length)]!.id, point: triple(), target: triple(), stiffness: between(10, 200), damping: between(1, 20), ...(seed % 2 === 0 ? { moving: { velocity: triple(), since: between(-0.1, 0.1) } } : {}) };
   return { q, v, p, push };
 }
 
@@ -39,7 +39,7 @@ describe.each(pushable)('a push on %s', (id, system) => {
     const { q, v, p, push } = draw(system, seed);
     const hand = new PushForce(system, p);
     hand.set(push);
-    hand.at(q, v);
+    hand.at(0, q, v);
     const step = 1e-5;
     const [ahead, behind] = [step, -step].map((s) => placeOf(system, p, push, q.map((x, i) => x + s * v[i]!)));
     for (let c = 0; c < 3; c++) {
@@ -101,16 +101,16 @@ describe.each(pushable)('a push on %s', (id, system) => {
 const rolling = { version: 1, system: 'ripstik', initial: { X_dot: 1 }, duration: 0.6, outputStep: 0.001, columns: ['energy'] } as const;
 const sideways: Push = { body: 'front-plate', point: [0.1, 0.1, 0], target: [1.2, 0.3, 0.1], stiffness: 3, damping: 0.5 };
 
-test('what a hand does to the rolling board is what its energy gains', () => {
+test.each([['rests', sideways], ['goes with the board', { ...sideways, target: [0.15, 0.2, 0.1], moving: { velocity: [1, 0, 0], since: 0 } } satisfies Push]] as const)('what a hand that %s does to the rolling board is what its energy gains', (_what, push) => {
   const scenario = scenarioOf({ ...rolling, duration: 0.4 });
-  const simulation = new Simulation(scenario, systems['ripstik']!, { pushes: [{ time: 0, push: sideways }] });
+  const simulation = new Simulation(scenario, systems['ripstik']!, { pushes: [{ time: 0, push }] });
   simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();
   const hand = new PushForce(systems['ripstik']!, Float64Array.from(systems['ripstik']!.meta.parameters, (m) => scenario.parameters[m.name]!));
-  hand.set(sideways);
+  hand.set(push);
   const power = Array.from({ length: rows }, (_, row) => {
     const state = (from: number): Float64Array => Float64Array.from({ length: 10 }, (_unused, i) => columns[from + i]![row]!);
-    hand.at(state(1), state(11));
+    hand.at(columns[0]![row]!, state(1), state(11));
     return [0, 1, 2].reduce((sum, c) => sum + hand.pull[c]! * hand.velocity[c]!, 0);
   });
   // Simpson's rule over the rows, an even number of steps.
@@ -131,7 +131,7 @@ function live(scenario: ReturnType<typeof scenarioOf>): { pushes: PushRecord[]; 
     simulation.advance(() => false);
     expect(simulation.time).toBeLessThanOrEqual(simulation.horizon);
     if (k === 12) pushes.push(simulation.push(sideways));
-    if (k > 12 && k < 30 && k % 3 === 0) pushes.push(simulation.push({ ...sideways, target: [1.2 + 0.01 * k, 0.3, 0.1] }));
+    if (k > 12 && k < 30 && k % 3 === 0) pushes.push(simulation.push({ ...sideways, target: [1.2 + 0.01 * k, 0.3, 0.1], moving: { velocity: [0.6, 0, 0], since: 0.0163 * k } }));
     if (k === 30) pushes.push(simulation.push(null));
   }
   return { pushes, simulation };

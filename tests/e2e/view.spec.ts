@@ -1,5 +1,5 @@
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, differingPixels, drawn, ended, exportCsv, numberIn, openPage, pause, picture, screenBox, seek, VIEWPORT } from './helpers.ts';
+import { chooseCase, differingPixels, drawn, ended, exportCsv, measured, numberIn, openPage, pause, picture, screenBox, seek, VIEWPORT } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -97,33 +97,37 @@ test('a balanced board is pushed by hand while it rides, resists, and rides on t
   const watch = await openPage(page);
   await chooseCase(page, 'balanced');
   await ended(page, 2, 'end');
+  await page.getByTestId('duration').fill('8');
+  await page.getByTestId('duration').press('Enter');
+  await ended(page, 3, 'end');
   await pause(page);
   const end = await numberIn(page, 'end-time');
   const unpushed = await exportCsv(page);
-  await seek(page, 0.5);
+  await seek(page, 4);
   const at = await plate(page);
   await page.keyboard.down('Shift');
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  // Upwards: the hand takes weight off the front plate, and the run goes on from here under its spring.
-  await page.mouse.move(at.x + 4, at.y - 12, { steps: 3 });
-  await page.keyboard.press('Space');
-  await expect.poll(() => numberIn(page, 'time'), 'it rides while it is held').toBeGreaterThan(0.7);
+  await page.mouse.move(at.x + 12, at.y - 10, { steps: 2 });
+  // Looked at with every frame: how long a hand is on it decides what becomes of the board.
+  await page.waitForFunction(() => parseFloat(document.querySelector('[data-testid=time]')!.textContent!) > 4.3);
   await page.mouse.up();
   await page.keyboard.up('Shift');
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end', { timeout: 20_000 });
   await pause(page);
-  expect(await numberIn(page, 'end-time')).toBe(end);
+  expect(await numberIn(page, 'end-time'), 'there is always some time left for it').toBeGreaterThanOrEqual(end);
   for (const name of ['pushed', 'released']) await expect(page.locator('.scrub-line').getByRole('button', { name })).toBeVisible();
   const pushed = await exportCsv(page);
   const column = ({ columns, rows }: typeof pushed, name: string) => rows.map((row) => row[columns.indexOf(name)]!);
   const difference = (name: string, from: number, to: number) => {
     const [a, b, t] = [column(pushed, name), column(unpushed, name), column(pushed, 't')];
-    return Math.max(...a.map((x, i) => (t[i]! >= from && t[i]! <= to ? Math.abs(x - b[i]!) : 0)));
+    return Math.max(...a.map((x, i) => (i < b.length && t[i]! >= from && t[i]! <= to ? Math.abs(x - b[i]!) : 0)));
   };
-  expect(difference('alpha', 0, 0.49), 'what was before the hand stays to the last bit').toBe(0);
-  expect(difference('alpha', 0.5, end), 'the hand moved it').toBeGreaterThan(1e-4);
-  expect(Math.abs(column(pushed, 'alpha').at(-1)!), 'the regulator brought it back').toBeLessThan(0.01);
+  const roll = column(pushed, 'alpha').map((alpha, i) => Math.abs(alpha + column(pushed, 'alpha_fp')[i]!));
+  measured(`the hand moves alpha_fp by ${difference('alpha_fp', 4, end).toExponential(1)} rad; the front plate rolls to ${Math.max(...roll.slice(400)).toExponential(1)} rad and ends at ${roll.at(-1)!.toExponential(1)}`);
+  expect(difference('alpha_fp', 0, 3.99), 'what was before the hand stays to the last bit').toBe(0);
+  expect(difference('alpha_fp', 4, end), 'the hand moved it').toBeGreaterThan(1e-4);
+  expect(roll.at(-1)!, 'the regulator holds it').toBeLessThan(0.01);
   expect(pushed.text).toContain('# pushes: [');
   expect(watch.errors).toEqual([]);
 });

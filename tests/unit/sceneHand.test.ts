@@ -1,10 +1,11 @@
 import { type Material, Mesh, type Object3D, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { bodyPoint, firmness, pull } from '../../src/app/hand.ts';
+import { bodyPoint, bodyVelocity, firmness, pull } from '../../src/app/hand.ts';
 import { speedFor } from '../../src/app/modes.ts';
 import { speeds } from '../../src/app/playbackClock.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
 import { Bodies } from '../../src/scene/bodies.ts';
+import { Trajectory } from '../../src/core/trajectory/trajectory.ts';
 import { Follower } from '../../src/scene/follower.ts';
 import { Ghosts } from '../../src/scene/ghosts.ts';
 import { palettes } from '../../src/scene/palette.ts';
@@ -138,6 +139,21 @@ test('a held point goes with its body, and the pull is stiffness times distance'
   expect(pull({ stiffness: 50, target: [1, 2, 3] }, [1, 2, 3.2])).toBeCloseTo(10, 9);
 });
 
+test('a body goes as fast as its coordinates say', () => {
+  const trajectory = new Trajectory(['t', ...ripstikView.meta.coordinates.flatMap(({ name }) => [name, `${name}_dot`])], 1);
+  const row: Record<string, number> = { X_dot: 1.5, Y_dot: -0.5, Z: 0.1, theta: 0.3, theta_dot: 2 };
+  trajectory.append(trajectory.columns.map((name) => Float64Array.of(row[name] ?? 0)), 1);
+  const rod = bodyVelocity({ system: ripstikView, parameters: {}, trajectory }, 0, 0);
+  const front = bodyVelocity({ system: ripstikView, parameters: {}, trajectory }, 0, 1);
+  for (const [c, value] of [1.5, -0.5, 0].entries()) expect(rod[c]).toBeCloseTo(value, 7);
+  // Nothing but the heading turns, at 2 rad/s: across the line between the two, as fast as it is long.
+  const poses = new Float64Array(12 * ripstikView.meta.bodies.length);
+  ripstikView.poses(Float64Array.from(ripstikView.meta.coordinates, ({ name }) => row[name] ?? 0), Float64Array.from(ripstikView.meta.parameters, (p) => p.default), poses);
+  const [dx, dy] = [poses[12]! - poses[0]!, poses[13]! - poses[1]!];
+  expect(front[0] - rod[0]).toBeCloseTo(-2 * dy, 7);
+  expect(front[1] - rod[1]).toBeCloseTo(2 * dx, 7);
+});
+
 test('the hand is as firm as what it moves is heavy', () => {
   const light = firmness({ system: ripstikView, parameters: { rodMass: 1, plateMass: 0.5, casterMass: 0.25 } });
   const heavy = firmness({ system: ripstikView, parameters: { rodMass: 4, plateMass: 2, casterMass: 1 } });
@@ -166,6 +182,12 @@ describe('following', () => {
     expect(follower.at[0]).toBe(7);
     follower.take([9], 3);
     expect(follower.at[0]).toBe(9);
+    // And goes on from there as fast as the goal does, without a start of its own.
+    for (const t of [3.02, 3.05, 3.1]) {
+      follower.take([9 + 2 * (t - 3)], t);
+      expect(follower.at[0]).toBeCloseTo(9 + 2 * (t - 3), 9);
+      expect(follower.speed[0]).toBeCloseTo(2, 9);
+    }
   });
 });
 

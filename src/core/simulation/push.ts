@@ -4,11 +4,13 @@ export interface Push {
   body: string;
   /** In the body's frame, m. */
   point: readonly [number, number, number];
-  /** In the world, m. */
+  /** In the world, m; of a hand that moves, where it is at `since`. */
   target: readonly [number, number, number];
+  /** How the hand moves: it is at target + velocity (t - since). Without it the hand rests. */
+  moving?: { /** m/s. */ velocity: readonly [number, number, number]; /** s. */ since: number };
   /** N/m. */
   stiffness: number;
-  /** N s/m. */
+  /** N s/m, of the point's velocity against the hand's. */
   damping: number;
 }
 

@@ -5,9 +5,10 @@ import type { Push } from './push.ts';
 
 /** By how much coordinates are moved (of at least 1) for the change of J along the motion: third root of rounding. */
 const STEP = Math.cbrt(Number.EPSILON);
+const AT_REST = { velocity: [0, 0, 0], since: 0 } as const;
 
 /**
- * A push as a generalized force: Q = J^T F, F = k (target - p) - c p', with p the pushed point and J = dp/dq exact, so
+ * A push as a generalized force: Q = J^T F, F = k (h - p) + c (h' - p'), with h the hand, p the pushed point and J = dp/dq exact, so
  * that the power Q v is F p' to rounding. None until one is set.
  */
 export class PushForce {
@@ -40,8 +41,8 @@ export class PushForce {
     this.J = new Float64Array(3 * n);
     this.aside = new Float64Array(3 * n);
     this.moved = new Float64Array(n);
-    this.forcing = (_t, q, v, force) => this.addForce(q, v, force);
-    this.forcing.jacobians = (_t, q, v, forceQ, forceV) => this.addSlopes(q, v, forceQ, forceV);
+    this.forcing = (t, q, v, force) => this.addForce(t, q, v, force);
+    this.forcing.jacobians = (t, q, v, forceQ, forceV) => this.addSlopes(t, q, v, forceQ, forceV);
   }
 
   get current(): Push | null {
@@ -55,17 +56,19 @@ export class PushForce {
       if (!poseJacobian) throw new ScenarioError('push', `nothing of ${meta.id} can be pushed`);
       const body = meta.bodies.findIndex((b) => b.id === push.body);
       if (body < 0) throw new ScenarioError('push.body', `there is no body "${push.body}"; right would be ${meta.bodies.map((b) => b.id).join(', ')}`);
-      const numbers = [...push.point, ...push.target, push.stiffness, push.damping];
-      if (numbers.length !== 8 || !numbers.every(Number.isFinite)) throw new ScenarioError('push', 'point and target need three finite numbers each, stiffness and damping one');
+      const { velocity, since } = push.moving ?? AT_REST;
+      const numbers = [...push.point, ...push.target, ...velocity, since, push.stiffness, push.damping];
+      if (numbers.length !== 12 || !numbers.every(Number.isFinite)) throw new ScenarioError('push', 'point, target and velocity need three finite numbers each, since, stiffness and damping one');
       this.body = body;
     }
     this.push = push;
   }
 
-  /** Evaluates `place`, `velocity` and `pull` at a state; nothing while there is no push. */
-  at(q: Float64Array, v: Float64Array): void {
+  /** Evaluates `place`, `velocity` and `pull` at a time and state; nothing while there is no push. */
+  at(t: number, q: Float64Array, v: Float64Array): void {
     const { push, n, J, place, velocity, pull } = this;
     if (!push) return;
+    const { velocity: hand, since } = push.moving ?? AT_REST;
     this.system.poses(q, this.parameters, this.poses);
     this.differentiate(q, J);
     const o = 12 * this.body;
@@ -76,14 +79,14 @@ export class PushForce {
       for (let k = 0; k < n; k++) rate += J[c * n + k]! * v[k]!;
       place[c] = p;
       velocity[c] = rate;
-      pull[c] = push.stiffness * (push.target[c]! - p) - push.damping * rate;
+      pull[c] = push.stiffness * (push.target[c]! + hand[c]! * (t - since) - p) + push.damping * (hand[c]! - rate);
     }
   }
 
-  private addForce(q: Float64Array, v: Float64Array, force: Float64Array): void {
+  private addForce(t: number, q: Float64Array, v: Float64Array, force: Float64Array): void {
     if (!this.push) return;
     const { n, J, pull } = this;
-    this.at(q, v);
+    this.at(t, q, v);
     for (let c = 0; c < 3; c++) for (let k = 0; k < n; k++) force[k]! += J[c * n + k]! * pull[c]!;
   }
 
@@ -103,10 +106,10 @@ export class PushForce {
    * dQ/dv = -c J^T J, exact; dQ/dq = -J^T (k J + c d(J v)/dq) + d(J^T F)/dq with J's own change from central differences of
    * the exact J (1e-10 of it): good for Newton's iterations, which converge to the same point with it.
    */
-  private addSlopes(q: Float64Array, v: Float64Array, forceQ: Float64Array, forceV: Float64Array): void {
+  private addSlopes(t: number, q: Float64Array, v: Float64Array, forceQ: Float64Array, forceV: Float64Array): void {
     const { push, n, J, aside, moved } = this;
     if (!push) return;
-    this.at(q, v);
+    this.at(t, q, v);
     moved.set(q);
     for (let j = 0; j < n; j++) {
       const step = STEP * Math.max(1, Math.abs(q[j]!));

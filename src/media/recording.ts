@@ -1,17 +1,17 @@
 /** A canvas taken down by the browser's own recorder as it plays, for browsers without WebCodecs. */
 import {
-  ALL_FORMATS, BlobSource, BufferTarget, EncodedPacketSink, EncodedVideoPacketSource, Input, Mp4OutputFormat, Output, WebMOutputFormat,
+  BlobSource, BufferTarget, EncodedPacketSink, EncodedVideoPacketSource, Input, MP4, Output, WEBM,
   type EncodedPacket, type InputVideoTrack,
 } from 'mediabunny';
-import type { VideoJob } from './video.ts';
-
-export const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
-
-export const containerOf = (extension: 'mp4' | 'webm'): Mp4OutputFormat | WebMOutputFormat => (extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat());
+import { containerOf, pause, type VideoJob } from './video.ts';
 
 /** Plays all frames, each for its time on the clock on the wall. @throws as `encodeVideo` */
 export async function record(job: VideoJob): Promise<Blob> {
   const { canvas, encoding, frames, fps, bitrate, draw, onFrame, signal } = job;
+  // A canvas that is not in the page is never composed, and a stream of it has no frames (Chromium).
+  Object.assign(canvas.style, { position: 'fixed', top: '0', left: '-99999px' });
+  canvas.ariaHidden = 'true';
+  document.body.append(canvas);
   draw(0);
   const stream = canvas.captureStream(0);
   const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
@@ -35,6 +35,7 @@ export async function record(job: VideoJob): Promise<Blob> {
   } finally {
     if (recorder.state !== 'inactive') recorder.stop();
     track.stop();
+    canvas.remove();
   }
   await stopped;
   return timed(new Blob(parts, { type: encoding.mime }), job);
@@ -45,7 +46,7 @@ export async function record(job: VideoJob): Promise<Blob> {
  * none is missing, else when the recorder saw it.
  */
 async function timed(recorded: Blob, { encoding, frames, fps }: VideoJob): Promise<Blob> {
-  const input = new Input({ formats: ALL_FORMATS, source: new BlobSource(recorded) });
+  const input = new Input({ formats: [MP4, WEBM], source: new BlobSource(recorded) });
   const track = await input.getPrimaryVideoTrack();
   const codec = await track?.getCodec();
   const packets = track ? await packetsOf(track) : [];

@@ -1,6 +1,5 @@
 /** A canvas as a video file: by WebCodecs at exact frame times, else recorded as it plays. */
-import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Output } from 'mediabunny';
-import { containerOf, pause, record } from './recording.ts';
+import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Mp4OutputFormat, Output, WebMOutputFormat } from 'mediabunny';
 
 export interface Encoding {
   /** `recorded` is taken down as it plays, in true time, and a frame that comes too late for the recorder is missing. */
@@ -24,6 +23,9 @@ export interface VideoJob {
   signal: AbortSignal;
 }
 
+/** What plays in most places first: MP4 with H.264, WebM, MP4 with whatever the recorder puts into it. */
+const RECORDED = ['video/mp4;codecs=avc1.42E01E', 'video/webm', 'video/mp4'];
+
 /** What this browser can make of that size (px, even) and bits per second; null when nothing. */
 export async function chooseEncoding(width: number, height: number, bitrate: number): Promise<Encoding | null> {
   if (typeof VideoEncoder === 'function') {
@@ -32,12 +34,16 @@ export async function chooseEncoding(width: number, height: number, bitrate: num
     if (codec === 'vp9' || codec === 'vp8') return { kind: 'exact', codec, extension: 'webm', mime: 'video/webm' };
   }
   if (typeof MediaRecorder !== 'function' || !('captureStream' in HTMLCanvasElement.prototype)) return null;
-  const mime = ['video/mp4', 'video/webm'].find((type) => MediaRecorder.isTypeSupported(type));
-  return mime ? { kind: 'recorded', codec: 'browser', extension: mime === 'video/mp4' ? 'mp4' : 'webm', mime } : null;
+  const mime = RECORDED.find((type) => MediaRecorder.isTypeSupported(type));
+  return mime ? { kind: 'recorded', codec: 'browser', extension: mime.startsWith('video/mp4') ? 'mp4' : 'webm', mime } : null;
 }
 
 /** The file. @throws DOMException `AbortError` when the signal says so; what the encoder throws. */
-export const encodeVideo = (job: VideoJob): Promise<Blob> => (job.encoding.kind === 'exact' ? encodeExactly(job) : record(job));
+export const encodeVideo = async (job: VideoJob): Promise<Blob> => (job.encoding.kind === 'exact' ? encodeExactly(job) : (await import('./recording.ts')).record(job));
+
+export const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+export const containerOf = (extension: Encoding['extension']): Mp4OutputFormat | WebMOutputFormat => (extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat());
 
 async function encodeExactly({ canvas, encoding, frames, fps, bitrate, draw, onFrame, signal }: VideoJob): Promise<Blob> {
   const target = new BufferTarget();

@@ -52,22 +52,24 @@ export function PushPad() {
     event.stopPropagation();
   };
   return (
-    <div class="push-pad" ref={root} role="group" aria-label={text.title} aria-describedby={id} data-testid="push-pad" onKeyDown={onKeyDown}>
-      <div class="push-keys">
-        {(Object.keys(WAYS) as Way[]).map((way) => (
-          <button key={way} type="button" class={`quiet square push-${way}`} aria-label={text.ways[way]} title={text.ways[way]} data-testid={`push-${way}`} onClick={() => hand.press(body, WAYS[way].force)}>
-            <Icon name={WAYS[way].icon} />
-          </button>
-        ))}
-        <button type="button" class="quiet square push-none" aria-label={text.letGo} title={text.letGo} data-testid="push-none" onClick={hand.letGo}><Icon name="close" /></button>
+    <div class="push-row">
+      <div class="push-pad" ref={root} role="group" aria-label={text.title} aria-describedby={id} data-testid="push-pad" onKeyDown={onKeyDown}>
+        <div class="push-keys">
+          {(Object.keys(WAYS) as Way[]).map((way) => (
+            <button key={way} type="button" class={`quiet square push-${way}`} aria-label={text.ways[way]} title={text.ways[way]} data-testid={`push-${way}`} onClick={() => hand.press(body, WAYS[way].force)}>
+              <Icon name={WAYS[way].icon} />
+            </button>
+          ))}
+          <button type="button" class="quiet square push-none" aria-label={text.letGo} title={text.letGo} data-testid="push-none" onClick={hand.letGo}><Icon name="close" /></button>
+        </div>
+        <label class="push-body"><span class="hidden">{text.body}</span>
+          <select value={body} data-testid="push-body" onChange={(event) => { hand.letGo(); choose(event.currentTarget.value); }}>
+            {meta.bodies.map((one) => <option key={one.id} value={one.id}>{one.label}</option>)}
+          </select>
+        </label>
+        <p class="push-force" role="status" data-testid="push-force">{inWords(hand.hold.value, meta)}</p>
+        <p class="push-hint" id={id}>{text.hint}</p>
       </div>
-      <label class="push-body"><span class="hidden">{text.body}</span>
-        <select value={body} data-testid="push-body" onChange={(event) => { hand.letGo(); choose(event.currentTarget.value); }}>
-          {meta.bodies.map((one) => <option key={one.id} value={one.id}>{one.label}</option>)}
-        </select>
-      </label>
-      <p class="push-force" role="status" data-testid="push-force">{inWords(hand.hold.value, meta)}</p>
-      <p class="push-hint" id={id}>{text.hint}</p>
     </div>
   );
 }

@@ -47,9 +47,9 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       <div class="stage-corner">
         {closeUp && state.look.inset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
         {forced && state.showForces.value && <ForceLegend />}
-        {state.look.push.value && canPush(motion) && <PushPad />}
       </div>
       <div class="views">
+        {state.look.push.value && canPush(motion) && <PushPad />}
         <div class="segments" role="group" aria-label={text.view.label}>
           {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
             <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${key})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>

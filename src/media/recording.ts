@@ -5,7 +5,12 @@ import {
 } from 'mediabunny';
 import { containerOf, pause, type VideoJob } from './video.ts';
 
-/** Plays all frames, each for its time on the clock on the wall. @throws as `encodeVideo` */
+const HIDDEN_MS = 250;
+
+/** Until the picture just drawn has been composed, and with it recorded; a page that is not seen composes none. */
+const composed = (): Promise<unknown> => Promise.race([new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))), pause(HIDDEN_MS)]);
+
+/** Plays all frames, each for its time on the clock on the wall or as long as the browser needs for it. @throws as `encodeVideo` */
 export async function record(job: VideoJob): Promise<Blob> {
   const { canvas, encoding, frames, fps, bitrate, draw, onFrame, signal } = job;
   // A canvas that is not in the page is never composed, and a stream of it has no frames (Chromium).
@@ -30,6 +35,7 @@ export async function record(job: VideoJob): Promise<Blob> {
       draw(k);
       track.requestFrame();
       onFrame(k + 1);
+      await composed();
       await pause(Math.max(0, began + (1000 * (k + 1)) / fps - performance.now()));
     }
   } finally {

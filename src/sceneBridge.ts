@@ -36,8 +36,8 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
   effect(() => view.setView(state.view.value));
   const dressed = dress(app, view);
   const studio: Studio = {
-    open: async (plan) => (await import('./studio.ts')).openShot(app, view, dressed.peek(), plan),
-    glb: async (plan) => (await import('./studio.ts')).writeGlb(app, dressed.peek(), plan),
+    open: async (plan, signal) => (await import('./studio.ts')).openShot(app, view, dressed.peek(), plan, signal),
+    glb: async (plan, watching) => (await import('./studio.ts')).writeGlb(app, dressed.peek(), plan, watching),
   };
   effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
   effect(() => {

@@ -1,5 +1,8 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
-import type { GlbPlan, Shot, ShotPlan } from './app/studio.ts';
+import { legendBar } from './app/forceScale.ts';
+import { ghostsAt, type GhostPoses } from './app/ghosts.ts';
+import { Pace } from './app/pace.ts';
+import type { GlbPlan, Shot, ShotPlan, Watching } from './app/studio.ts';
 import type { App, Motion } from './app/types.ts';
 import { MotionSampler } from './core/trajectory/motionSampler.ts';
 import { openCapture } from './scene/capture.ts';
@@ -13,28 +16,57 @@ function watched(app: App, dressed: Dressed): Motion {
 
 const samplerOf = (motion: Motion): MotionSampler => new MotionSampler(motion.system, motion.parameters, motion.trajectory, motion.constraints);
 
-export function openShot(app: App, page: SceneView, dressed: Dressed, plan: ShotPlan): Shot {
+/** Kept runs stand in the picture as they do on the page; their samplers are the picture's own. */
+async function ghostPoses({ state }: App, pace: Pace): Promise<(time: number) => readonly GhostPoses[]> {
+  const samplers = new Map<Motion, MotionSampler>();
+  for (const { motion, ghost } of state.kept.peek()) {
+    if (!ghost) continue;
+    samplers.set(motion, samplerOf(motion));
+    await caughtUp(samplers.get(motion)!, motion.trajectory.start, pace);
+  }
+  return (time) => ghostsAt(state, { samplerOf: (motion) => samplers.get(motion) ?? samplerOf(motion) }, time);
+}
+
+/** Paths and rolled wheels over all rows there are: a sampler follows a long run in parts. */
+async function caughtUp(sampler: MotionSampler, time: number, pace: Pace): Promise<void> {
+  while (sampler.behind && sampler.sample(time)) if (pace.over) await pace.breathe();
+}
+
+export async function openShot(app: App, page: SceneView, dressed: Dressed, plan: ShotPlan, signal?: AbortSignal): Promise<Shot> {
   const { state } = app;
-  const sampler = samplerOf(watched(app, dressed));
+  const { look } = state;
+  const motion = watched(app, dressed);
+  const sampler = samplerOf(motion);
+  const pace = new Pace(signal);
+  await caughtUp(sampler, plan.from, pace);
+  const ghosts = await ghostPoses(app, pace);
   const forces = state.showForces.peek();
-  const capture = openCapture({ ...plan, theme: state.theme.peek() });
+  const perNewton = look.metresPerNewton.peek();
+  const capture = openCapture({
+    ...plan, theme: state.theme.peek(),
+    closeUp: look.inset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,
+    legend: forces && motion.system.contacts.length > 0 ? (pixels) => legendOf(perNewton, pixels) : null,
+  });
   const { view } = capture;
+  let last = Number.NaN;
   const put = (time: number): void => {
+    if (time === last) return;
+    last = time;
     sampler.sample(time);
     view.setTrails(sampler.tracks());
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: forces ? sampler.forces(time) : [] });
+    view.setGhosts(ghosts(time));
   };
   try {
     view.setModels(dressed.models, dressed.cast!);
-    view.setSwitches({ trails: state.showTrails.peek(), forces });
+    view.setSwitches({
+      trails: state.showTrails.peek(), forces, names: look.names.peek(), frames: look.frames.peek(), metresPerNewton: perNewton, level: look.level.peek(),
+    });
     view.setFollow(plan.follow);
     const asOnPage = plan.view === 'page';
     view.setView(asOnPage ? state.view.peek() : (plan.view as Exclude<typeof plan.view, 'page'>));
     put(asOnPage ? state.time.peek() : plan.from);
-    if (asOnPage) {
-      const { camera, target } = page.placement();
-      view.setPlacement(camera, target);
-    }
+    if (asOnPage) view.setPlacement(page.placement());
   } catch (error) {
     capture.dispose();
     throw error;
@@ -49,30 +81,38 @@ export function openShot(app: App, page: SceneView, dressed: Dressed, plan: Shot
   };
 }
 
-/** Keyframe times (s): the run's rows within the range, or so many a second. */
-function keyTimes(motion: Motion, { from, to, rate }: GlbPlan): Float64Array {
-  const rows = motion.trajectory.column('t')!;
-  if (rate === null) return rows.filter((t, i) => t >= from && t <= to && (i === 0 || t > rows[i - 1]!));
-  return Float64Array.from({ length: Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1) }, (_, k) => from + k / rate);
+function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: number; label: string } | null {
+  const bar = legendBar(metresPerNewton, pixelsPerMetre);
+  return bar && { pixels: bar.pixels, label: `${bar.newtons}\u2009N` };
 }
 
-export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan): Promise<Uint8Array<ArrayBuffer>> {
+/** Keyframe times (s): the run's rows within the range, or so many a second. */
+function keyTimes({ trajectory }: Motion, { from, to, rate }: GlbPlan): Float64Array {
+  if (rate !== null) return Float64Array.from({ length: Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1) }, (_, k) => from + k / rate);
+  const rows = trajectory.column('t')!.slice(trajectory.locate(from), trajectory.locate(to) + 1);
+  let count = 0;
+  for (const t of rows) if (t >= from && (count === 0 || t > rows[count - 1]!)) rows[count++] = t;
+  return rows.subarray(0, count);
+}
+
+export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan, { signal, onKey }: Watching): Promise<Blob> {
   const motion = watched(app, dressed);
   const { glbOf } = await import('./scene/gltf.ts');
+  const pace = new Pace(signal);
   const sampler = samplerOf(motion);
+  await caughtUp(sampler, plan.from, pace);
   const times = keyTimes(motion, plan);
-  const width = sampler.poses.length;
-  const wheels = sampler.wheelAngles.length;
-  const poses = new Float64Array(width * times.length);
-  const wheelAngles = new Float64Array(wheels * times.length);
-  times.forEach((t, k) => {
-    sampler.sample(t);
-    poses.set(sampler.poses, width * k);
-    wheelAngles.set(sampler.wheelAngles, wheels * k);
-  });
   return glbOf({
-    title: motion.title, models: dressed.models, cast: dressed.cast!, theme: app.state.theme.peek(), times, poses, wheelAngles, wheels,
-    generator: plan.generator,
+    title: motion.title, models: dressed.models, cast: dressed.cast!, theme: app.state.theme.peek(), times, generator: plan.generator,
     extras: { title: motion.title, system: motion.system.meta.id, start: times[0] ?? 0, parameters: motion.parameters, scenario: motion.written ?? motion.scenario },
+    at(time) {
+      sampler.sample(time);
+      return sampler;
+    },
+    pause(keys) {
+      if (!pace.over) return null;
+      onKey(keys);
+      return pace.breathe();
+    },
   });
 }

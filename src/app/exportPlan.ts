@@ -6,6 +6,9 @@ export const LARGEST = 7680;
 /** A video longer than this is refused: nobody waits for it. */
 export const MOST_FRAMES = 36_000;
 
+/** Keyframes of a 3-D file: some 170 bytes each for the board, more than any viewer takes. */
+export const MOST_KEYS = 2_000_000;
+
 export interface VideoRange {
   /** Times of the motion (s). */
   from: number;

@@ -12,7 +12,7 @@ export interface GhostPoses {
 }
 
 /** Kept runs that are shown as ghosts, of the system on the stage; before its start and after its end each stands still. */
-export function ghostsAt(state: AppState, stage: Stage, time: number): GhostPoses[] {
+export function ghostsAt(state: AppState, stage: Pick<Stage, 'samplerOf'>, time: number): GhostPoses[] {
   const motion = state.motion.value;
   if (!motion) return [];
   const shown = state.kept.value.filter((run) => run.ghost && run.motion.system === motion.system && run.motion.id !== motion.id);

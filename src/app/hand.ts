@@ -3,6 +3,7 @@ import type { Push } from '../core/simulation/push.ts';
 import type { Motion } from './types.ts';
 
 type Triple = readonly [number, number, number];
+type Rows = Pick<Motion, 'system' | 'parameters' | 'trajectory'>;
 
 /** A mass on the hand's spring would swing at this rate (rad/s), damped by this ratio. */
 const RATE = 5;
@@ -21,18 +22,21 @@ export function firmness({ system: { meta }, parameters }: Pick<Motion, 'system'
 }
 
 /** Velocity (m/s) of a body's origin in a run at a time: along the coordinates' rates, by a central difference of the poses. */
-export function bodyVelocity({ system, parameters, trajectory }: Pick<Motion, 'system' | 'parameters' | 'trajectory'>, time: number, body: number): [number, number, number] {
-  const { coordinates, parameters: known, bodies } = system.meta;
-  const row = trajectory.locate(time);
-  const value = (name: string): number => trajectory.column(name)?.[row] ?? 0;
-  const p = Float64Array.from(known, ({ name, default: rest }) => parameters[name] ?? rest);
-  const [ahead, behind] = [STEP_S, -STEP_S].map((s) => {
-    const poses = new Float64Array(12 * bodies.length);
-    system.poses(Float64Array.from(coordinates, ({ name }) => value(name) + s * value(`${name}_dot`)), p, poses);
-    return poses;
-  });
+export function bodyVelocity(motion: Rows, time: number, body: number): [number, number, number] {
+  const row = motion.trajectory.locate(time);
+  const [ahead, behind] = [STEP_S, -STEP_S].map((s) => posesNear(motion, row, s));
   const rate = (c: number): number => (ahead![12 * body + c]! - behind![12 * body + c]!) / (2 * STEP_S);
   return [rate(0), rate(1), rate(2)];
+}
+
+/** Poses, 12 numbers a body, so long (s) after a row as its rates would have them. */
+export function posesNear({ system, parameters, trajectory }: Rows, row: number, after = 0): Float64Array {
+  const { coordinates, parameters: known, bodies } = system.meta;
+  const value = (name: string): number => trajectory.column(name)?.[row] ?? 0;
+  const p = Float64Array.from(known, ({ name, default: rest }) => parameters[name] ?? rest);
+  const poses = new Float64Array(12 * bodies.length);
+  system.poses(Float64Array.from(coordinates, ({ name }) => value(name) + after * value(`${name}_dot`)), p, poses);
+  return poses;
 }
 
 /** World position (m) of a point of body `index` among poses of 12 numbers each. */

@@ -14,9 +14,11 @@ export interface ShotPlan {
   follow: boolean;
   /** Where the motion starts: the camera of a named view is placed there (s). */
   from: number;
+  /** What stands over the close-up in the corner. */
+  closeUpTitle: string;
 }
 
-/** A second scene beside the one on the page, drawn on demand. */
+/** A second scene beside the one on the page, drawn on demand, with all that is chosen to be seen there. */
 export interface Shot {
   /** Holds the last picture, `width` by `height`. */
   canvas: HTMLCanvasElement;
@@ -33,9 +35,16 @@ export interface GlbPlan {
   generator: string;
 }
 
+/** Of long work: how to end it, and how far it is. */
+export interface Watching {
+  signal: AbortSignal;
+  /** Keyframes written so far. */
+  onKey(done: number): void;
+}
+
 export interface Studio {
   /** @throws Error when the graphics processor can't draw at that size, or there is no motion. */
-  open(plan: ShotPlan): Promise<Shot>;
-  /** A binary glTF 2.0 file. @throws Error without a motion. */
-  glb(plan: GlbPlan): Promise<Uint8Array<ArrayBuffer>>;
+  open(plan: ShotPlan, signal?: AbortSignal): Promise<Shot>;
+  /** A binary glTF 2.0 file, written in slices between which the page lives. @throws Error without a motion; what the signal says. */
+  glb(plan: GlbPlan, watching: Watching): Promise<Blob>;
 }

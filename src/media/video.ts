@@ -2,7 +2,7 @@
 import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Mp4OutputFormat, Output, WebMOutputFormat } from 'mediabunny';
 
 export interface Encoding {
-  /** `recorded` runs in true time, and its frames are only about where they should be. */
+  /** `recorded` is taken down as it plays, in true time, and a frame that comes too late for the recorder is missing. */
   kind: 'exact' | 'recorded';
   codec: 'avc' | 'vp9' | 'vp8' | 'browser';
   extension: 'mp4' | 'webm';
@@ -23,6 +23,9 @@ export interface VideoJob {
   signal: AbortSignal;
 }
 
+/** What plays in most places first: MP4 with H.264, WebM, MP4 with whatever the recorder puts into it. */
+const RECORDED = ['video/mp4;codecs=avc1.42E01E', 'video/webm', 'video/mp4'];
+
 /** What this browser can make of that size (px, even) and bits per second; null when nothing. */
 export async function chooseEncoding(width: number, height: number, bitrate: number): Promise<Encoding | null> {
   if (typeof VideoEncoder === 'function') {
@@ -31,18 +34,20 @@ export async function chooseEncoding(width: number, height: number, bitrate: num
     if (codec === 'vp9' || codec === 'vp8') return { kind: 'exact', codec, extension: 'webm', mime: 'video/webm' };
   }
   if (typeof MediaRecorder !== 'function' || !('captureStream' in HTMLCanvasElement.prototype)) return null;
-  const mime = ['video/mp4', 'video/webm'].find((type) => MediaRecorder.isTypeSupported(type));
-  return mime ? { kind: 'recorded', codec: 'browser', extension: mime === 'video/mp4' ? 'mp4' : 'webm', mime } : null;
+  const mime = RECORDED.find((type) => MediaRecorder.isTypeSupported(type));
+  return mime ? { kind: 'recorded', codec: 'browser', extension: mime.startsWith('video/mp4') ? 'mp4' : 'webm', mime } : null;
 }
 
 /** The file. @throws DOMException `AbortError` when the signal says so; what the encoder throws. */
-export const encodeVideo = (job: VideoJob): Promise<Blob> => (job.encoding.kind === 'exact' ? encodeExactly(job) : record(job));
+export const encodeVideo = async (job: VideoJob): Promise<Blob> => (job.encoding.kind === 'exact' ? encodeExactly(job) : (await import('./recording.ts')).record(job));
 
-const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+export const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+export const containerOf = (extension: Encoding['extension']): Mp4OutputFormat | WebMOutputFormat => (extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat());
 
 async function encodeExactly({ canvas, encoding, frames, fps, bitrate, draw, onFrame, signal }: VideoJob): Promise<Blob> {
   const target = new BufferTarget();
-  const output = new Output({ format: encoding.extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat(), target });
+  const output = new Output({ format: containerOf(encoding.extension), target });
   const source = new CanvasSource(canvas, { codec: encoding.codec as 'avc' | 'vp9' | 'vp8', bitrate, keyFrameInterval: 2 });
   output.addVideoTrack(source, { frameRate: fps });
   try {
@@ -61,33 +66,4 @@ async function encodeExactly({ canvas, encoding, frames, fps, bitrate, draw, onF
     throw error;
   }
   return new Blob([target.buffer!], { type: encoding.mime });
-}
-
-async function record({ canvas, encoding, frames, fps, bitrate, draw, onFrame, signal }: VideoJob): Promise<Blob> {
-  draw(0);
-  const stream = canvas.captureStream(0);
-  const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
-  const recorder = new MediaRecorder(stream, { mimeType: encoding.mime, videoBitsPerSecond: bitrate });
-  const parts: Blob[] = [];
-  recorder.addEventListener('dataavailable', (event) => parts.push(event.data));
-  const stopped = new Promise<void>((done, fail) => {
-    recorder.addEventListener('stop', () => done());
-    recorder.addEventListener('error', () => fail(new Error('The browser stopped recording.')));
-  });
-  recorder.start();
-  const began = performance.now();
-  try {
-    for (let k = 0; k < frames; k++) {
-      signal.throwIfAborted();
-      draw(k);
-      track.requestFrame();
-      onFrame(k + 1);
-      await pause(Math.max(0, began + (1000 * (k + 1)) / fps - performance.now()));
-    }
-  } finally {
-    recorder.stop();
-    track.stop();
-  }
-  await stopped;
-  return new Blob(parts, { type: encoding.mime });
 }

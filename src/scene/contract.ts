@@ -144,6 +144,12 @@ export interface SceneOptions {
   onScale?: (pixelsPerMetre: number) => void;
 }
 
+export interface Placement {
+  camera: Point;
+  target: Point;
+  up: Point;
+}
+
 /** In CSS pixels from the canvas's top left corner. */
 export interface ScreenBox {
   left: number;
@@ -181,9 +187,9 @@ export interface SceneView {
   /** CSS pixels and device pixels per CSS pixel. */
   resize(width: number, height: number, devicePixelRatio: number): void;
   setBodyVisible(index: number, visible: boolean): void;
-  /** Where the eye is and what it looks at, in world axes (m); a set one is kept as if a hand had put it there. */
-  placement(): { camera: [number, number, number]; target: [number, number, number] };
-  setPlacement(camera: readonly [number, number, number], target: readonly [number, number, number]): void;
+  /** Where the eye is, what it looks at (m) and what is up for it, in world axes; a set one is kept as if a hand had put it there, the rider's until the next frame. */
+  placement(): Placement;
+  setPlacement(place: Placement): void;
   /** Draws at once, without waiting for the screen; the canvas can be read until the caller returns to the event loop. */
   draw(): void;
   /** Asks for one picture; any number of requests before it give one. */

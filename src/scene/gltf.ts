@@ -1,12 +1,11 @@
 /** The bodies and their motion as binary glTF 2.0: one node a body, one clip, Y up as glTF demands. */
-import {
-  type BufferGeometry, type KeyframeTrack, type MeshStandardMaterial, type Object3D,
-  AnimationClip, Group, Mesh, Quaternion, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack, Matrix4,
-} from 'three';
+import { type BufferGeometry, type MeshStandardMaterial, type Object3D, Group, Mesh, Scene, Vector3 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { parsePair } from './bodies.ts';
 import type { BodyModel, Cast, MeshPair } from './contract.ts';
+import { withAnimation } from './glbFile.ts';
+import { BodyKeys, TimeKeys, WheelKeys } from './keyframes.ts';
 import { dress } from './materials.ts';
 import { MeshError } from './meshText.ts';
 import { palettes, type Theme } from './palette.ts';
@@ -18,44 +17,77 @@ export interface GlbInput {
   theme: Theme;
   /** Keyframes (s), rising; the file's clock starts at the first. */
   times: Float64Array;
-  /** For each time 12 numbers per body, as in `Frame`. */
-  poses: Float64Array;
-  /** For each time `wheels` angles (rad), as in `Frame`. */
-  wheelAngles: Float64Array;
-  wheels: number;
+  /** Poses (12 numbers per body) and wheel angles (rad) at a time, as in `Frame`; read at once and not kept. */
+  at(time: number): { poses: Float64Array; wheelAngles: Float64Array };
   generator: string;
   /** What `asset.extras` holds. */
   extras: object;
+  /** After each body and each keyframe, with how many of these are done: a promise where the page wants to live for a moment. */
+  pause?(keys: number): Promise<void> | null;
 }
 
-/** Throws `MeshError` for a mesh that can't be read. */
-export async function glbOf(input: GlbInput): Promise<Uint8Array<ArrayBuffer>> {
+interface Moving {
+  root: Group;
+  body: BodyKeys;
+  wheel: { group: Group; contact: number; keys: WheelKeys } | null;
+}
+
+/** Throws `MeshError` for a mesh that can't be read, and what `pause` throws. */
+export async function glbOf(input: GlbInput): Promise<Blob> {
+  const { cast, times, title, pause } = input;
   const scene = new Scene();
-  scene.name = input.title;
+  scene.name = title;
   const upright = new Group();
   upright.name = 'z-up';
   upright.rotation.x = -Math.PI / 2;
   scene.add(upright);
-  const times = Float32Array.from(input.times, (t) => t - input.times[0]!);
-  const tracks: KeyframeTrack[] = [];
-  input.cast.bodies.forEach((model, body) => {
+  const moving: Moving[] = [];
+  for (const model of cast.bodies) {
     const { root, wheel } = bodyOf(model, input);
     upright.add(root);
-    tracks.push(...bodyTracks(root, body, times, input));
-    if (wheel) tracks.push(wheelTrack(wheel, model.spin!.contact, times, input));
-  });
-  for (const model of input.cast.fixtures) upright.add(bodyOf(model, input).root);
+    moving.push({ root, body: new BodyKeys(), wheel: wheel && { group: wheel, contact: model.spin!.contact, keys: new WheelKeys() } });
+    await pause?.(0);
+  }
+  for (const model of cast.fixtures) upright.add(bodyOf(model, input).root);
+  const clock = new TimeKeys();
+  for (let k = 0; k < times.length; k++) {
+    const { poses, wheelAngles } = input.at(times[k]!);
+    clock.push(times[k]! - times[0]!);
+    moving.forEach(({ body, wheel }, i) => {
+      body.push(poses, 12 * i);
+      wheel?.keys.push(wheelAngles[wheel.contact] ?? 0);
+    });
+    if (k === 0) moving.forEach((one, i) => stand(one, poses, 12 * i));
+    const wait = pause?.(k + 1);
+    if (wait) await wait;
+  }
+  const { file, nodeOf } = await stillGlb(scene, input);
+  return withAnimation(file, title, clock, moving.flatMap(({ root, body, wheel }) => [
+    { node: nodeOf(root), keys: body }, ...(wheel ? [{ node: nodeOf(wheel.group), keys: wheel.keys }] : []),
+  ]));
+}
+
+/** In the first keyframe: what a viewer without animation shows. */
+function stand({ root, body, wheel }: Moving, poses: Float64Array, offset: number): void {
+  root.position.fromArray(poses as unknown as number[], offset);
+  root.quaternion.fromArray(body.turn as unknown as number[]);
+  if (wheel) wheel.group.quaternion.fromArray(wheel.keys.turn as unknown as number[]);
+}
+
+/** The scene without motion, and the file's number of each node. */
+async function stillGlb(scene: Scene, { generator, extras }: GlbInput): Promise<{ file: ArrayBuffer; nodeOf(object: Object3D): number }> {
   const exporter = new GLTFExporter();
+  let nodes = new Map<Object3D, number>();
   exporter.register((writer) => ({
     writer,
     afterParse: () => {
-      const { json } = writer as unknown as { json: { asset: Record<string, unknown> } };
-      json.asset = { ...json.asset, generator: input.generator, extras: input.extras };
+      const { json, nodeMap } = writer as unknown as { json: { asset: Record<string, unknown> }; nodeMap: Map<Object3D, number> };
+      json.asset = { ...json.asset, generator, extras };
+      nodes = nodeMap;
     },
   }));
-  const clip = new AnimationClip(input.title, -1, tracks);
-  const file = (await exporter.parseAsync(scene, { binary: true, animations: [clip], includeCustomExtensions: false })) as ArrayBuffer;
-  return new Uint8Array(file);
+  const file = (await exporter.parseAsync(scene, { binary: true, trs: true, includeCustomExtensions: false })) as ArrayBuffer;
+  return { file, nodeOf: (object) => nodes.get(object)! };
 }
 
 /** A body in its own frame, its wheel (if it has one of its own) about its hub. */
@@ -97,44 +129,3 @@ function plain(mesh: Mesh<BufferGeometry, MeshStandardMaterial | MeshStandardMat
     surface.userData = {};
   }
 }
-
-function bodyTracks(root: Group, body: number, times: Float32Array, { poses, cast }: GlbInput): KeyframeTrack[] {
-  const stride = 12 * cast.bodies.length;
-  const positions = new Float32Array(3 * times.length);
-  const turns = new Float64Array(4 * times.length);
-  const matrix = new Matrix4();
-  const turn = new Quaternion();
-  for (let k = 0; k < times.length; k++) {
-    const p = poses.subarray(stride * k + 12 * body, stride * k + 12 * body + 12) as unknown as Row;
-    positions.set([p[0], p[1], p[2]], 3 * k);
-    matrix.set(p[3], p[4], p[5], 0, p[6], p[7], p[8], 0, p[9], p[10], p[11], 0, 0, 0, 0, 1);
-    turn.setFromRotationMatrix(matrix).normalize().toArray(turns as unknown as number[], 4 * k);
-  }
-  continuous(turns);
-  root.position.fromArray(positions, 0);
-  root.quaternion.fromArray(turns, 0);
-  return [new VectorKeyframeTrack(`${root.uuid}.position`, times, positions), new QuaternionKeyframeTrack(`${root.uuid}.quaternion`, times, turns)];
-}
-
-function wheelTrack(wheel: Group, contact: number, times: Float32Array, { wheelAngles, wheels }: GlbInput): KeyframeTrack {
-  const turns = new Float64Array(4 * times.length);
-  for (let k = 0; k < times.length; k++) {
-    const half = (wheelAngles[wheels * k + contact] ?? 0) / 2;
-    turns[4 * k + 1] = Math.sin(half);
-    turns[4 * k + 3] = Math.cos(half);
-  }
-  continuous(turns);
-  wheel.quaternion.fromArray(turns, 0);
-  return new QuaternionKeyframeTrack(`${wheel.uuid}.quaternion`, times, turns);
-}
-
-/** Turns each quaternion (x y z w) to the sign nearer to the one before: players then take the short way between them. */
-export function continuous(turns: Float64Array): void {
-  for (let o = 4; o < turns.length; o += 4) {
-    let dot = 0;
-    for (let i = 0; i < 4; i++) dot += turns[o + i]! * turns[o - 4 + i]!;
-    if (dot < 0) for (let i = 0; i < 4; i++) turns[o + i] = -turns[o + i]!;
-  }
-}
-
-type Row = [number, number, number, number, number, number, number, number, number, number, number, number];

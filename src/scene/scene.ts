@@ -244,8 +244,12 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       bodies.setVisible(index, visible);
       show();
     },
-    placement: () => ({ camera: rig.camera.position.toArray(), target: rig.target.toArray() }),
-    setPlacement: (camera, target) => rig.go(camera, target, true),
+    placement: () => ({ camera: rig.camera.position.toArray(), target: rig.target.toArray(), up: rig.camera.up.toArray() }),
+    setPlacement({ camera, target, up }) {
+      if (view === 'rider') rig.ride({ eye: camera, target, up });
+      else rig.go(camera, target, true);
+      requestRender();
+    },
     draw() {
       room.ready();
       cancelAnimationFrame(requested);

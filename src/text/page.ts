@@ -110,7 +110,7 @@ export const text = {
   keys: [
     ['Space', 'play or pause'], ['← →', 'one row back or forward'], ['Shift ← →', '0.1 s back or forward'], [', .', 'one row back or forward'],
     ['Home End', 'to the start or the end'], ['J K L', 'slower, pause, faster'], ['1 – 6', 'orbit, front, side, top, caster view, from aboard'], ['F', 'follow what moves'], ['B', 'keep this run, to compare with'],
-    ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'],
+    ['P N A', 'front caster in a corner, names, axes of bodies'], ['Shift drag', 'pull at a body of a run'], ['G', 'the same by keys: arrows, Page Up and Page Down push, Escape lets go'],
     ['Enter in a field, Ctrl Enter', 'run'], ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'], ['?', 'this sheet'],
   ] as readonly (readonly [string, string])[],
 } as const;

@@ -71,7 +71,7 @@ const LINES = {
   compare: 'M2 12c3 0 4-8 7-8 2 0 3 2 5 2M2 9c3 0 4 3 7 3 2 0 3-1 5-1',
   loop: 'M3 7.5V6.5a2 2 0 0 1 2-2h8M11 2.5l2 2-2 2M13 8.5v1a2 2 0 0 1-2 2H3M5 13.5l-2-2 2-2', open: 'M2 12.5v-9h4l1.5 2H14v7zM2 7.5h12',
   sample: 'M2 11c2 0 2-6 4-6s2 6 4 6 2-6 4-6', export: 'M8 2v8M5 7l3 3 3-3M3 13h10', light: 'M8 5a3 3 0 1 1 0 6 3 3 0 0 1 0-6M8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M3 13l1-1M12 4l1-1',
-  dark: 'M13 9.5A5.5 5.5 0 1 1 6.5 3 4.5 4.5 0 0 0 13 9.5z', down: 'M4 6l4 4 4-4', up: 'M8 13V3M4 7l4-4 4 4', table: 'M2 3h12v10H2zM2 6.5h12M2 10h12M6 3v10', close: 'M4 4l8 8M12 4l-8 8', left: 'M10 3L5 8l5 5', right: 'M6 3l5 5-5 5',
+  dark: 'M13 9.5A5.5 5.5 0 1 1 6.5 3 4.5 4.5 0 0 0 13 9.5z', down: 'M4 6l4 4 4-4', up: 'M8 13V3M4 7l4-4 4 4', below: 'M8 3v10M4 9l4 4 4-4', before: 'M13 8H3M7 4L3 8l4 4', after: 'M3 8h10M9 4l4 4-4 4', raise: 'M3 2.5h10M8 13.5V6M4.5 9.5L8 6l3.5 3.5', lower: 'M3 13.5h10M8 2.5V10M4.5 6.5L8 10l3.5-3.5', table: 'M2 3h12v10H2zM2 6.5h12M2 10h12M6 3v10', close: 'M4 4l8 8M12 4l-8 8', left: 'M10 3L5 8l5 5', right: 'M6 3l5 5-5 5',
 } as const;
 
 export type IconName = keyof typeof PATHS | keyof typeof LINES;

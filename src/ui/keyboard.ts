@@ -2,6 +2,7 @@
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
 import { speeds } from '../app/playbackClock.ts';
+import { canPush } from '../app/hand.ts';
 import type { App } from '../app/types.ts';
 import { viewsOf } from './stageOverlay.tsx';
 import { timelineOf } from './timeline.ts';
@@ -64,6 +65,7 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     b: () => void app.kept.keep(),
     f: () => { state.follow.value = !state.follow.peek(); },
     p: () => { state.look.inset.value = !state.look.inset.peek(); },
+    g: () => { if (canPush(state.motion.peek())) state.look.push.value = !state.look.push.peek(); },
     n: () => { state.look.names.value = !state.look.names.peek(); },
     a: () => { state.look.frames.value = !state.look.frames.peek(); },
     '?': () => { keysOpen.value = true; },

@@ -1,6 +1,6 @@
 /** What stands in the stage's corners: the frame around the inset, the length of a force. */
 import { useEffect, useRef } from 'preact/hooks';
-import { legendBar } from './forceScale.ts';
+import { legendBar } from '../app/forceScale.ts';
 import { useUi } from './context.ts';
 import { formatShort, THIN } from './format.ts';
 import { text } from '../text/page.ts';

@@ -5,10 +5,13 @@ import { canRide, hasCloseUp } from '../core/models/roster.ts';
 import { canPush } from '../app/hand.ts';
 import { useUi } from './context.ts';
 import { Toggle } from './controls.tsx';
+import { later } from './later.tsx';
 import { ModeActions } from './modeActions.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
 import { text } from '../text/page.ts';
+
+const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
 
 /** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
 export const viewsOf = (systemId: string): ReadonlyMap<string, ViewName> =>
@@ -46,6 +49,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
         {forced && state.showForces.value && <ForceLegend />}
       </div>
       <div class="views">
+        {state.look.push.value && canPush(motion) && <PushPad />}
         <div class="segments" role="group" aria-label={text.view.label}>
           {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
             <Toggle key={view} pressed={state.view.value === view} title={`${text.view.names[view]} (${key})`} testId={`view-${view}`} onClick={() => { state.view.value = view; }}>
@@ -58,7 +62,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
           <Toggle pressed={state.follow.value} title={`${text.view.follow} (F)`} testId="toggle-follow" onClick={() => { state.follow.value = !state.follow.value; }}>{text.view.follow}</Toggle>
           {tracked && <Toggle pressed={state.showTrails.value} testId="toggle-trails" onClick={() => { state.showTrails.value = !state.showTrails.value; }}>{text.view.trails}</Toggle>}
           {forced && <Toggle pressed={state.showForces.value} testId="toggle-forces" onClick={() => { state.showForces.value = !state.showForces.value; }}>{text.view.forces}</Toggle>}
-          {canPush(motion) && <Toggle pressed={state.look.push.value} title={text.look.pushTitle} testId="toggle-push" onClick={() => { state.look.push.value = !state.look.push.value; }}>{text.look.push}</Toggle>}
+          {canPush(motion) && <Toggle pressed={state.look.push.value} title={`${text.look.pushTitle} (G)`} testId="toggle-push" onClick={() => { state.look.push.value = !state.look.push.value; }}>{text.look.push}</Toggle>}
         </div>
         <ViewMenu closeUp={closeUp} ridden={canRide(system?.meta.id ?? '')} forced={forced} />
         </div>

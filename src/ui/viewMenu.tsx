@@ -1,6 +1,6 @@
 /** What of the stage is switched less often: names, axes, the inset, scales. A disclosure: Escape closes it, and so does pressing elsewhere. */
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
-import { FORCE_SCALES, scaleIndex } from './forceScale.ts';
+import { FORCE_SCALES, scaleIndex } from '../app/forceScale.ts';
 import { useUi } from './context.ts';
 import { Check, Choice, Icon } from './controls.tsx';
 import { formatShort, THIN } from './format.ts';

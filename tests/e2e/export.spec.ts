@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
 import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
 import { readGlb, validateGlb } from '../glb.ts';
-import { COORDINATES, csvOf, differingPixels, drawn, drop, exportCsv, openPage, picture, posesOf, seek, VIEWPORT, type Row } from './helpers.ts';
+import { COORDINATES, csvOf, differingPixels, drawn, drop, exportCsv, measured, openPage, picture, posesOf, seek, VIEWPORT, type Row } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -141,6 +141,33 @@ test('a video has the frames and the duration asked for, and moves as the run do
   const still = await decode(page, (await save(page, 'save-video')).bytes);
   expect(still.times).toHaveLength(12);
   expect(still.differing).toBe(0);
+  expect(watch.errors).toEqual([]);
+});
+
+test('without WebCodecs the browser’s own recorder makes the video: as long as asked for, and its frames move', async ({ page }) => {
+  const watch = await openPage(page, () => Reflect.deleteProperty(window, 'VideoEncoder'));
+  await openDialog(page, 'video');
+  await ownSize(page, 'video');
+  await fill(page, 'export-from', 1);
+  await fill(page, 'export-to', 2);
+  await page.getByTestId('video-fps').selectOption('24');
+  await page.getByTestId('video-speed').selectOption('1');
+  await page.getByTestId('video-follow').uncheck();
+  await expect(page.getByTestId('video-codec')).toContainText('no video encoder for pages');
+  const { name, bytes } = await save(page, 'save-video');
+  expect(name).toMatch(/\.(webm|mp4)$/);
+  const recorded = await decode(page, bytes);
+  measured(`the browser’s recorder: ${name.split('.').at(-1)}, ${recorded.times.length} of 24 frames, ${recorded.duration.toFixed(3)} s`);
+  expect(recorded).toMatchObject({ width: 160, height: 90 });
+  expect(recorded.times.length).toBeGreaterThan(1);
+  expect(recorded.times.length).toBeLessThanOrEqual(24);
+  if (recorded.times.length === 24) {
+    recorded.times.forEach((time, k) => expect(Math.abs(time - (1e6 * k) / 24)).toBeLessThanOrEqual(1000));
+    expect(recorded.duration).toBeCloseTo(1, 2);
+  }
+  expect(recorded.times[0]).toBe(0);
+  expect(recorded.duration).toBeGreaterThan(0.99);
+  expect(recorded.differing).toBeGreaterThan(50);
   expect(watch.errors).toEqual([]);
 });
 

@@ -1,4 +1,5 @@
 // The gallery as a person uses it, and the first minute: an offer, a tour of five steps, never shown again.
+import AxeBuilder from '@axe-core/playwright';
 import { expect, test, type Page } from '@playwright/test';
 import { cases } from '../../src/core/cases/cases.ts';
 import { withoutScene } from './helpers.ts';
@@ -125,4 +126,21 @@ test.describe('first minute', () => {
     await walk(page);
     await expect(page.getByTestId('offer')).toHaveCount(0);
   });
+
+  for (const colorScheme of ['light', 'dark'] as const) {
+    test(`offer, tour and gallery keep to WCAG AA, ${colorScheme}`, async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      await open(page);
+      const wrong = async (part: string) => (await new AxeBuilder({ page }).include(part).withTags(['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa']).analyze()).violations.map(({ id, nodes }) => `${part}: ${id} at ${nodes[0]!.target.join(' ')}`);
+      await expect(page.getByTestId('offer')).toBeVisible();
+      const found = await wrong('.offer');
+      await page.getByTestId('offer-tour').click();
+      found.push(...(await wrong('.tour')));
+      await page.getByTestId('tour-skip').click();
+      await page.getByTestId('case-menu').click();
+      await expect(page.getByTestId('gallery').locator('.card').first()).toBeVisible();
+      found.push(...(await wrong('dialog')));
+      expect(found).toEqual([]);
+    });
+  }
 });

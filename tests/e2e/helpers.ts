@@ -38,8 +38,8 @@ export interface Watch {
   foreign: string[];
 }
 
-/** Opens the page and waits until the first run stands on the stage, drawn. Everything that goes wrong is in the answer. */
-export async function openPage(page: Page): Promise<Watch> {
+/** Opens the page and waits until the first run stands on the stage, drawn. Everything that goes wrong is in the answer. `before` runs in the page before its own code. */
+export async function openPage(page: Page, before: () => unknown = () => undefined): Promise<Watch> {
   const watch: Watch = { errors: [], foreign: [] };
   page.on('pageerror', (error) => watch.errors.push(String(error)));
   page.on('console', (message) => {
@@ -49,6 +49,7 @@ export async function openPage(page: Page): Promise<Watch> {
     window.cspViolations = [];
     document.addEventListener('securitypolicyviolation', (event) => window.cspViolations.push(`${event.violatedDirective}: ${event.blockedURI}`));
   });
+  await page.addInitScript(before);
   await recordWorkers(page);
   const own = new URL(test.info().project.use.baseURL!).origin;
   page.on('request', (request) => {

@@ -35,12 +35,19 @@ function motionOf(id: string) {
   return { poses: all, wheelAngles, wheels: contacts.length, times: Float64Array.from({ length: FRAMES }, (_, k) => 3 + k / 50) };
 }
 
-const write = (id: string) => {
+const write = (id: string, more: Partial<Parameters<typeof glbOf>[0]> = {}) => {
   const { meta } = systemViews[id]!;
   const drawing = drawingOf(meta, {});
   const motion = motionOf(id);
   const cast = { id, bodies: drawing.bodies, fixtures: drawing.fixtures, stage: drawing.stage };
-  return { motion, cast, file: glbOf({ title: meta.title, models: drawing.pairs, cast, theme: 'light', generator: 'RipStik Lab', extras: { start: 3, scenario: { version: 1, system: id } }, ...motion }) };
+  const { times, poses, wheelAngles, wheels } = motion;
+  const stride = 12 * meta.bodies.length;
+  const at = (time: number) => {
+    const k = times.indexOf(time);
+    return { poses: poses.slice(stride * k, stride * (k + 1)), wheelAngles: wheelAngles.slice(wheels * k, wheels * (k + 1)) };
+  };
+  const blob = glbOf({ title: meta.title, models: drawing.pairs, cast, theme: 'light', times, at, generator: 'RipStik Lab', extras: { start: 3, scenario: { version: 1, system: id } }, ...more });
+  return { motion, cast, file: blob.then(async (file) => new Uint8Array(await file.arrayBuffer())) };
 };
 
 describe.each(Object.keys(systemViews))('%s as glTF', (id) => {
@@ -80,4 +87,25 @@ test('the board has five moving bodies and two wheels that spin', async () => {
   const moving = new Set(json.animations[0]!.channels.map(({ target }) => json.nodes[target.node]!.name));
   expect([...moving].filter((name) => !name.endsWith('-wheel'))).toHaveLength(5);
   expect([...moving].filter((name) => name.endsWith('-wheel'))).toHaveLength(2);
+});
+
+test('more keyframes than a part holds are written in order; the file is given up when the pause throws', async () => {
+  const many = 9001;
+  const { poses } = systemViews['ripstik']!;
+  const parameters = Float64Array.from(systemViews['ripstik']!.meta.parameters, (p) => p.default);
+  const out = new Float64Array(60);
+  const at = (time: number) => {
+    poses(Float64Array.of(time, 2 * time, 0.1, 0, 0, 0, 0, 0, 0, 0), parameters, out);
+    return { poses: out, wheelAngles: Float64Array.of(time, time) };
+  };
+  const times = Float64Array.from({ length: many }, (_, k) => k / 1000);
+  const seen: number[] = [];
+  const bytes = await write('ripstik', { times, at, pause: (keys) => (seen.push(keys), keys % 1000 === 0 ? Promise.resolve() : null) }).file;
+  expect((await validateGlb(bytes)).issues.messages.filter(({ severity }) => severity < 2)).toEqual([]);
+  const { track } = readGlb(bytes);
+  const { times: read, values } = track('rod', 'translation')!;
+  expect(read).toEqual(Float32Array.from(times));
+  expect(Float32Array.from({ length: many }, (_, k) => values[3 * k]!)).toEqual(Float32Array.from(times));
+  expect(seen.at(-1)).toBe(many);
+  await expect(write('ripstik', { times, at, pause: (keys) => (keys < 5000 ? null : Promise.reject(new Error('enough'))) }).file).rejects.toThrow('enough');
 });

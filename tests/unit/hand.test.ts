@@ -3,6 +3,7 @@ import { beforeAll, expect, test, vi } from 'vitest';
 import type { Comparison } from '../../src/app/comparison.ts';
 import type { Sweep } from '../../src/app/sweep.ts';
 import { pushComments } from '../../src/app/pushing.ts';
+import { createKeyHand } from '../../src/app/keyHand.ts';
 import { createApp } from '../../src/app/store.ts';
 import type { App } from '../../src/app/types.ts';
 import type { Push } from '../../src/core/simulation/push.ts';
@@ -133,4 +134,38 @@ test('a fallen board is not grabbed, and says so', async () => {
   app.state.grab.value = push;
   expect(app.state.messages.value.at(-1)!.title).toBe('This run is over');
   expect(end(app)).toBe(last);
+});
+
+test('by keys: the force goes along with the body, gives way to another hand, and is over with the run', async () => {
+  const app = await balanced();
+  const { state } = app;
+  const hand = createKeyHand(state);
+  state.time.value = 2;
+  hand.press('front-plate', [0, 1, 0]);
+  hand.press('front-plate', [0, 1, 0]);
+  const force = hand.hold.value!.force;
+  expect(force[1]).toBeGreaterThan(0);
+  await until(() => end(app) < 10 && end(app) >= 2.04);
+  const first = state.grab.value!;
+  for (let k = 0; k < 20; k++) {
+    state.time.value += 0.016;
+    await until(() => end(app) >= state.time.value + 0.03);
+  }
+  // It rides at some speed, and the hand with it.
+  expect(state.grab.value!.target[0] - first.target[0]).toBeGreaterThan(0.1);
+  expect(state.grab.value!.stiffness).toBe(first.stiffness);
+  state.grab.value = push;
+  state.time.value += 0.016;
+  expect(hand.hold.value).toBeNull();
+  expect(state.grab.value).toBe(push);
+  state.grab.value = null;
+  await until(() => ended(app));
+  state.time.value = 3;
+  hand.press('rod', [1, 0, 0]);
+  await until(() => end(app) < 10);
+  hand.letGo();
+  expect(state.grab.value).toBeNull();
+  await until(() => ended(app));
+  expect(state.motion.value!.pushes!.at(-1)!.push).toBeNull();
+  hand.dispose();
 });

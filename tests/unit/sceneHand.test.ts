@@ -12,7 +12,7 @@ import { palettes } from '../../src/scene/palette.ts';
 import { onFacingPlane, pickBody, projected } from '../../src/scene/picking.ts';
 import { riderPlace } from '../../src/scene/rider.ts';
 import { type Block, placeView } from '../../src/scene/views.ts';
-import { FORCE_SCALES, legendBar, scaleIndex } from '../../src/ui/forceScale.ts';
+import { FORCE_SCALES, legendBar, scaleIndex } from '../../src/app/forceScale.ts';
 
 const size = { width: 640, height: 480 };
 

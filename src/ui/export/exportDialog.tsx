@@ -5,10 +5,10 @@ import { Dialog } from '../dialogs.tsx';
 import { later } from '../later.tsx';
 import type { Studio } from '../../app/studio.ts';
 import type { Motion } from '../../app/types.ts';
-import { sizeInWords } from '../../app/exportPlan.ts';
+import { MOST_KEYS, sizeInWords } from '../../app/exportPlan.ts';
 import { exportText as text } from '../../text/export.ts';
 import { RangeFields } from './fields.tsx';
-import { choices, job, rangeOf, saveGlb, type Tab } from './jobs.ts';
+import { choices, job, keyCount, rangeOf, saveGlb, type Tab } from './jobs.ts';
 import { PicturePage, SaveButton } from './picturePage.tsx';
 
 /** With the encoder's code. */
@@ -47,11 +47,11 @@ function GlbPage({ motion, studio }: { motion: Motion; studio: Studio }) {
   const rate = choices.rate.value;
   const { trajectory } = motion;
   const rows = Math.max(1, trajectory.locate(to) - trajectory.locate(from) + 1);
-  const keys = rate === null ? rows : Math.floor((to - from) * rate) + 1;
+  const keys = keyCount(motion);
   const bodies = motion.system.meta.bodies.length;
   // 28 bytes a body and key, 16 a wheel; meshes of a body take some 60 kB
   const bytes = keys * (4 + 28 * bodies + 16 * motion.system.contacts.length) + 60e3 * bodies;
-  const reason = to > from || trajectory.length === 1 ? null : text.empty;
+  const reason = to <= from && trajectory.length > 1 ? text.empty : keys > MOST_KEYS ? text.tooManyKeys(String(MOST_KEYS)) : null;
   return (
     <form onSubmit={(event) => { event.preventDefault(); if (!reason) void saveGlb(app, studio, motion); }}>
       <p class="hint">{text.glbAbout}</p>
@@ -80,7 +80,7 @@ function Progress() {
   return (
     <div class="export-progress" data-testid="export-progress">
       <progress max={now.all} value={now.done} aria-label={text.progressLabel} />
-      <span>{now.all > 1 ? text.progress(now.done, now.all) : text.preparing}</span>
+      <span>{now.all > 1 ? text.progress[now.of](now.done, now.all) : text.preparing}</span>
       <button type="button" data-testid="export-cancel" onClick={now.cancel}>{text.cancel}</button>
       <p class="hint">{text.hide}</p>
     </div>

@@ -1,7 +1,7 @@
 /** Fields that the pages of the export dialog share. */
 import { useId, useState } from 'preact/hooks';
 import { LARGEST, sideOf, SMALLEST } from '../../app/exportPlan.ts';
-import { hasCloseUp } from '../../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../../core/models/roster.ts';
 import type { ShotPlan } from '../../app/studio.ts';
 import type { Motion } from '../../app/types.ts';
 import { exportText as text } from '../../text/export.ts';
@@ -50,8 +50,9 @@ export function SizeFields({ width, height, even = false, prefix, onChange }: { 
 
 export function ViewField({ view, motion, testId, onChange }: { view: ShotPlan['view']; motion: Motion; testId: string; onChange(view: ShotPlan['view']): void }) {
   const names = Object.keys(text.views) as (keyof typeof text.views)[];
-  const offered = names.filter((name) => name !== 'caster' || hasCloseUp(motion.system.meta.id));
-  return <Choice label={text.view} value={view} testId={testId} options={offered.map((id) => ({ id, label: text.views[id] }))} onChange={(id) => onChange(id as ShotPlan['view'])} />;
+  const { id } = motion.system.meta;
+  const offered = names.filter((name) => (name !== 'caster' || hasCloseUp(id)) && (name !== 'rider' || canRide(id)));
+  return <Choice label={text.view} value={view} testId={testId} options={offered.map((name) => ({ id: name, label: text.views[name] }))} onChange={(name) => onChange(name as ShotPlan['view'])} />;
 }
 
 export function RangeFields({ motion }: { motion: Motion }) {

@@ -26,19 +26,27 @@ export const choices = {
   rate: signal<number | null>(null),
 };
 
-/** The work under way, or null. */
-export const job = signal<{ done: number; all: number; cancel(): void } | null>(null);
+/** The work under way, or null: of so many frames or keyframes. */
+export const job = signal<{ done: number; all: number; of: 'frames' | 'keys'; cancel(): void } | null>(null);
 
 export function rangeOf({ id, trajectory }: Motion): { from: number; to: number } {
   const { motion, from, to } = choices.range.value;
   return { from: (motion === id ? from : null) ?? trajectory.start, to: (motion === id ? to : null) ?? trajectory.end };
 }
 
+/** Keyframes of the part that is chosen. */
+export function keyCount(motion: Motion): number {
+  const { from, to } = rangeOf(motion);
+  const { trajectory } = motion;
+  const rate = choices.rate.value;
+  return rate === null ? Math.max(1, trajectory.locate(to) - trajectory.locate(from) + 1) : Math.max(1, Math.floor((to - from) * rate) + 1);
+}
+
 /** Runs one export at a time; says how it ended unless it was cancelled. */
-async function work(app: App, all: number, make: (signal: AbortSignal) => Promise<{ name: string; part: BlobPart; type: string }>): Promise<void> {
+async function work(app: App, all: number, of: 'frames' | 'keys', make: (signal: AbortSignal) => Promise<{ name: string; part: BlobPart; type: string }>): Promise<void> {
   if (job.peek()) return;
   const control = new AbortController();
-  job.value = { done: 0, all, cancel: () => control.abort() };
+  job.value = { done: 0, all, of, cancel: () => control.abort() };
   try {
     const { name, part, type } = await make(control.signal);
     if (control.signal.aborted) return;
@@ -51,18 +59,21 @@ async function work(app: App, all: number, make: (signal: AbortSignal) => Promis
   }
 }
 
+/** A picture says in its name from where it was taken. */
+const titleOf = ({ title }: Motion, view: ShotPlan['view']): string => (view === 'page' ? title : text.seen(title.replace(/\.csv$/i, ''), text.views[view]));
+
 const progress = (done: number): void => void (job.value = { ...job.peek()!, done });
 
 export function savePicture(app: App, studio: Studio, motion: Motion): Promise<void> {
   const { width, height, transparent, labels, fine, view } = choices.picture.peek();
   const time = app.state.time.peek();
-  return work(app, 1, async () => {
-    const shot = await studio.open({ width, height, transparent, labels: labels && !transparent, supersample: fine ? 2 : 1, view, follow: true, from: time });
+  return work(app, 1, 'frames', async (signal) => {
+    const shot = await studio.open({ width, height, transparent, labels: labels && !transparent, supersample: fine ? 2 : 1, view, follow: true, from: time, closeUpTitle: page.look.insetTitle }, signal);
     try {
       shot.draw(time, null);
       const blob = await new Promise<Blob | null>((done) => shot.canvas.toBlob(done, 'image/png'));
       if (!blob) throw new Error(`The browser could not write a picture of ${width} × ${height} pixels.`);
-      return { name: fileName(motion.title, 'png'), part: blob, type: 'image/png' };
+      return { name: fileName(titleOf(motion, view), 'png'), part: blob, type: 'image/png' };
     } finally {
       shot.dispose();
     }
@@ -73,8 +84,8 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
   const { width, height, fps, speed, labels, fine, view, follow, caption } = choices.video.peek();
   const range: VideoRange = { ...rangeOf(motion), fps, speed };
   const frames = frameCount(range);
-  return work(app, frames, async (signal) => {
-    const shot = await studio.open({ width, height, transparent: false, labels, supersample: fine ? 2 : 1, view, follow: follow ?? app.state.follow.peek(), from: range.from });
+  return work(app, frames, 'frames', async (signal) => {
+    const shot = await studio.open({ width, height, transparent: false, labels, supersample: fine ? 2 : 1, view, follow: follow ?? app.state.follow.peek(), from: range.from, closeUpTitle: page.look.insetTitle }, signal);
     const { encodeVideo } = await import('../../media/video.ts');
     const draw = (k: number): void => {
       const t = frameTime(range, k);
@@ -82,7 +93,7 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
     };
     try {
       const blob = await encodeVideo({ canvas: shot.canvas, encoding, frames, fps, bitrate: bitrateFor(width, height, fps), draw, onFrame: progress, signal });
-      return { name: fileName(motion.title, encoding.extension), part: blob, type: encoding.mime };
+      return { name: fileName(titleOf(motion, view), encoding.extension), part: blob, type: encoding.mime };
     } finally {
       shot.dispose();
     }
@@ -91,5 +102,5 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
 
 export function saveGlb(app: App, studio: Studio, motion: Motion): Promise<void> {
   const plan = { ...rangeOf(motion), rate: choices.rate.peek(), generator: page.name };
-  return work(app, 1, async () => ({ name: fileName(motion.title, 'glb'), part: await studio.glb(plan), type: 'model/gltf-binary' }));
+  return work(app, keyCount(motion), 'keys', async (signal) => ({ name: fileName(motion.title, 'glb'), part: await studio.glb(plan, { signal, onKey: progress }), type: 'model/gltf-binary' }));
 }

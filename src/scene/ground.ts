@@ -1,9 +1,12 @@
-/** The ground: a disc around what is looked at, with a metric grid, that fades into the background. */
-import { type Scene, type Vector3, CircleGeometry, Color, DoubleSide, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial, Vector2, Vector4 } from 'three';
+/** The ground: a disc of fine concrete around what is looked at, with a metric grid and a pool of light, that fades into the background. */
+import { type Scene, type Vector3, CircleGeometry, Color, DoubleSide, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
+import { Backdrop } from './backdrop.ts';
+import { grainTexture } from './grain.ts';
 import type { Palette } from './palette.ts';
+import { softShadow } from './softShadow.ts';
 
-/** Size of the shadow's catcher, per metre of what is lit: a little more than the shadow camera sees. */
-const CATCHER = 3;
+/** Size of the shadow's catcher, per metre of what is lit: what the shadow camera sees, seen aslant. */
+const CATCHER = 1.5;
 
 const vertexShader = /* glsl */ `
   varying vec2 ground;
@@ -17,8 +20,9 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   varying vec2 ground;
   uniform vec2 centre;
-  uniform float reach, opacity, contact, unit;
-  uniform vec3 background, surface, fine, strong;
+  uniform float reach, opacity, contact, unit, pool;
+  uniform vec3 background, rim, surface, fine, strong;
+  uniform sampler2D grain; // r: clouds, g: specks, both about one half
   uniform vec4 board;    // x, y, heading, height of the board
   uniform vec4 skates;   // x, y of both skate points
   uniform vec2 heights;  // of both skate points
@@ -39,8 +43,13 @@ const fragmentShader = /* glsl */ `
 
   void main() {
     float away = length(ground - centre) / reach;
-    float near = 1.0 - smoothstep(0.12, 1.0, away);
-    vec3 colour = mix(background, surface, near);
+    float near = 1.0 - smoothstep(0.1, 1.0, away);
+    vec2 lit = (ground - centre) / pool;
+    vec3 colour = mix(background, mix(rim, surface, 1.0 / (1.0 + dot(lit, lit))), near);
+
+    // Clouds some decimetres wide; specks of some millimetres, gone where they would be smaller than a pixel.
+    float texture = texture2D(grain, ground / (14.0 * unit)).r + texture2D(grain, ground / (0.9 * unit)).g - 1.0;
+    colour *= 1.0 + 0.11 * near * texture;
 
     // Light that the board keeps from the ground: long and soft below the deck, small and dark at the wheels.
     vec2 d = ground - board.xy;
@@ -52,23 +61,29 @@ const fragmentShader = /* glsl */ `
     colour *= 1.0 - contact * min(dark, 1.0);
 
     vec2 thin = lines(0.1 * unit, 1.0);
-    vec2 thick = lines(unit, 1.6);
+    vec2 thick = lines(unit, 1.3);
     colour = mix(colour, fine, near * max(thin.x, thin.y) * 0.9);
     colour = mix(colour, strong, sqrt(near) * near * max(thick.x, thick.y));
     gl_FragColor = vec4(colour, opacity);
     #include <colorspace_fragment>
+    // Eight bits show steps in a gradient this slow.
+    gl_FragColor.rgb += (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
   }
 `;
 
 export class Ground {
   private readonly disc: Mesh<CircleGeometry, ShaderMaterial>;
-  private readonly catcher: Mesh<PlaneGeometry, ShadowMaterial>;
+  private readonly catcher: Mesh<PlaneGeometry, ShaderMaterial>;
+  private readonly backdrop: Backdrop;
   private readonly uniforms = {
     centre: { value: new Vector2() },
     reach: { value: 6 },
     opacity: { value: 1 },
     contact: { value: 0 },
     unit: { value: 1 },
+    pool: { value: 2 },
+    grain: { value: grainTexture() },
+    rim: { value: new Color() },
     background: { value: new Color() },
     surface: { value: new Color() },
     fine: { value: new Color() },
@@ -91,9 +106,10 @@ export class Ground {
     this.disc = new Mesh(new CircleGeometry(1, 96), material);
     this.disc.frustumCulled = false;
     this.disc.renderOrder = -10;
-    this.catcher = new Mesh(new PlaneGeometry(CATCHER, CATCHER), new ShadowMaterial({ depthWrite: false, toneMapped: false, fog: false }));
+    this.catcher = new Mesh(new PlaneGeometry(CATCHER, CATCHER), softShadow());
     this.catcher.receiveShadow = true;
     this.catcher.renderOrder = -9;
+    this.backdrop = new Backdrop(scene, palette);
     scene.add(this.disc, this.catcher);
     this.setPalette(palette);
   }
@@ -101,15 +117,18 @@ export class Ground {
   /** Only the shadow stays. */
   hideDisc(): void {
     this.disc.visible = false;
+    this.backdrop.hide();
   }
 
   setPalette(palette: Palette): void {
-    const { background, surface, fine, strong } = this.uniforms;
+    const { background, rim, surface, fine, strong } = this.uniforms;
+    this.backdrop.setPalette(palette);
     background.value.set(palette.background);
+    rim.value.set(palette.groundRim);
     surface.value.set(palette.ground);
     fine.value.set(palette.gridFine);
     strong.value.set(palette.gridStrong);
-    this.catcher.material.opacity = palette.light.shadow;
+    this.catcher.material.uniforms['opacity']!.value = palette.light.shadow;
     this.strength = palette.light.contact;
     if (this.shown) this.uniforms.contact.value = this.strength;
   }
@@ -148,13 +167,17 @@ export class Ground {
     const reach = 2.2 + 3.2 * distance;
     this.uniforms.centre.value.set(target.x, target.y);
     this.uniforms.reach.value = reach;
+    this.uniforms.pool.value = 0.9 * distance;
     this.uniforms.opacity.value = eyeHeight < this.floor || this.sunk ? 0.3 : 1;
     this.disc.position.set(target.x, target.y, this.floor);
     this.disc.scale.setScalar(reach);
     this.disc.updateMatrixWorld();
+    this.backdrop.follow(target, reach, eyeHeight);
   }
 
   dispose(): void {
+    this.uniforms.grain.value.dispose();
+    this.backdrop.dispose();
     for (const mesh of [this.disc, this.catcher]) {
       mesh.geometry.dispose();
       mesh.material.dispose();

@@ -1,4 +1,4 @@
-/** Studio light: a wide sky, one key light with the shadow, one weak fill, and (where affordable) a room to mirror. */
+/** Studio light: a wide sky, one key light with the shadow, and (where affordable) a room to mirror. */
 import { type Scene, type WebGLRenderer, DirectionalLight, HemisphereLight, PMREMGenerator, type Texture } from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import type { Palette } from './palette.ts';
@@ -11,7 +11,6 @@ export class Lights {
   private readonly scene: Scene;
   private readonly hemisphere = new HemisphereLight();
   private readonly key = new DirectionalLight();
-  private readonly fill = new DirectionalLight();
   private room: Texture | null = null;
   private palette: Palette;
   private size = 0.88;
@@ -25,8 +24,7 @@ export class Lights {
     this.key.shadow.radius = 7;
     this.key.shadow.bias = -0.0004;
     this.setSize(this.size);
-    this.fill.position.set(-1.2, 1.4, 0.7);
-    scene.add(this.hemisphere, this.key, this.key.target, this.fill);
+    scene.add(this.hemisphere, this.key, this.key.target);
     this.setPalette(palette);
   }
 
@@ -39,9 +37,7 @@ export class Lights {
     this.hemisphere.color.set(palette.sky);
     this.hemisphere.groundColor.set(palette.bounce);
     this.key.color.set(palette.key);
-    this.fill.color.set(palette.sky);
     this.key.intensity = palette.light.key;
-    this.fill.intensity = palette.light.fill;
     // The room brings its own soft light: the sky gives way to it.
     this.hemisphere.intensity = palette.light.hemisphere * (this.room ? 0.45 : 1);
     this.scene.environmentIntensity = palette.light.environment;

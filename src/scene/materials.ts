@@ -1,13 +1,14 @@
 /** Surfaces: what a material of a mesh file looks like, by its name and colour. */
 import { type Material, Color, MeshStandardMaterial } from 'three';
 import type { Palette, Part } from './palette.ts';
+import { lightInStudio } from './softboxes.ts';
 
 export interface Finish {
   kind: 'aluminium' | 'steel' | 'rubber' | 'urethane' | 'accent' | 'plastic';
   roughness: number;
   /** With an environment to mirror. */
   metalness: number;
-  /** Without one: a mirror of nothing is black, so metals turn into bright satin. */
+  /** Without one, where softboxes are all there is to mirror: metals keep some colour of their own. */
   plainMetalness: number;
   /** Share of its own colour that shines through, for bodies that let light in. */
   glow: number;
@@ -17,8 +18,8 @@ const FINISHES: readonly (Finish & { words: RegExp })[] = [
   { kind: 'accent', words: /accent/, roughness: 0.5, metalness: 0, plainMetalness: 0, glow: 0.12 },
   { kind: 'rubber', words: /rubber|grip|tread|traction|pad|tyre|tire/, roughness: 0.92, metalness: 0, plainMetalness: 0, glow: 0 },
   { kind: 'urethane', words: /urethane|\bpu\b|wheel/, roughness: 0.28, metalness: 0, plainMetalness: 0, glow: 0.16 },
-  { kind: 'steel', words: /steel|chrome|bolt|screw|bearing|axle|iron/, roughness: 0.32, metalness: 1, plainMetalness: 0.22, glow: 0 },
-  { kind: 'aluminium', words: /alumin|alloy|metal/, roughness: 0.42, metalness: 0.9, plainMetalness: 0.2, glow: 0 },
+  { kind: 'steel', words: /steel|chrome|bolt|screw|bearing|axle|iron/, roughness: 0.32, metalness: 1, plainMetalness: 0.75, glow: 0 },
+  { kind: 'aluminium', words: /alumin|alloy|metal/, roughness: 0.36, metalness: 0.9, plainMetalness: 0.7, glow: 0 },
 ];
 const PLASTIC: Finish = { kind: 'plastic', roughness: 0.58, metalness: 0, plainMetalness: 0, glow: 0 };
 
@@ -43,6 +44,7 @@ export function surfaceFrom(source: Material & { color?: Color }): MeshStandardM
     opacity: source.opacity,
   });
   surface.userData['finish'] = finish;
+  lightInStudio(surface);
   return surface;
 }
 

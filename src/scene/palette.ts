@@ -11,8 +11,11 @@ export interface Palette {
   /** Meaning: front, back, whole board. */
   part: Readonly<Record<Part, string>>;
   background: string;
-  /** Ground near the board; it fades into the background. */
+  /** Above the horizon, where the background ends. */
+  zenith: string;
+  /** Ground under the board and away from it; it fades into the background. */
   ground: string;
+  groundRim: string;
   gridFine: string;
   gridStrong: string;
   label: string;
@@ -22,35 +25,39 @@ export interface Palette {
   sky: string;
   bounce: string;
   key: string;
-  /** Strengths: hemisphere, key, fill, environment (0 to 1 of the room), and how dark a shadow is (0 to 1). */
-  light: Readonly<{ hemisphere: number; key: number; fill: number; environment: number; shadow: number; contact: number }>;
+  /** Strengths: hemisphere, key, environment (0 to 1 of the room), and how dark a shadow is (0 to 1). */
+  light: Readonly<{ hemisphere: number; key: number; environment: number; shadow: number; contact: number }>;
 }
 
 export const palettes: Readonly<Record<Theme, Palette>> = {
   light: {
     part: { board: '#4c545c', front: '#D55E00', back: '#0072B2' },
-    background: '#e6eaee',
-    ground: '#f6f7f8',
-    gridFine: '#d9dee3',
-    gridStrong: '#aeb7c0',
+    background: '#dfe4e8',
+    zenith: '#f4f6f8',
+    ground: '#fbfbfa',
+    groundRim: '#e4e8eb',
+    gridFine: '#d6dbe0',
+    gridStrong: '#b3bcc4',
     label: '#5b6670',
     accent: '#0b6e64',
     sky: '#ffffff',
     bounce: '#d6d2cb',
     key: '#fff6ea',
-    light: { hemisphere: 1.65, key: 2.4, fill: 0.8, environment: 0.55, shadow: 0.24, contact: 0.34 },
+    light: { hemisphere: 1.65, key: 2.4, environment: 0.55, shadow: 0.24, contact: 0.34 },
   },
   dark: {
     part: { board: '#b4bcc4', front: '#E69F00', back: '#56B4E9' },
-    background: '#12151a',
-    ground: '#23282f',
-    gridFine: '#2d333b',
-    gridStrong: '#4a535e',
+    background: '#0f1216',
+    zenith: '#20262d',
+    ground: '#30363e',
+    groundRim: '#171b20',
+    gridFine: '#373e46',
+    gridStrong: '#4b545e',
     label: '#a3adb8',
     accent: '#4cc2b0',
     sky: '#d5e2f2',
     bounce: '#565b63',
     key: '#fff1e0',
-    light: { hemisphere: 1.5, key: 2.6, fill: 1.0, environment: 0.5, shadow: 0.5, contact: 0.55 },
+    light: { hemisphere: 1.5, key: 2.6, environment: 0.5, shadow: 0.5, contact: 0.55 },
   },
 };

@@ -40,7 +40,8 @@ export interface ShellProps {
   onForget?: () => void;
 }
 
-export const PHONE = '(max-width: 760px)';
+/** A phone, or a tablet held upright; the same words stand in phone.css. */
+export const PHONE = '(max-width: 760px), (max-width: 1024px) and (orientation: portrait)';
 
 export function Shell({ app, methods, formulations, onCanvas, sceneText, sceneError, origin, tools, onForget }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);

@@ -1,5 +1,6 @@
 /** What the weights amount to: eigenvalues in the complex plane, time constants, what no input reaches. */
-import { useSignal, useSignalEffect } from '@preact/signals';
+import { effect, useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
 import type { Answer } from '../app/controlClient.ts';
 import type { ControlAnalysis } from '../core/control/analysis.ts';
 import { useUi } from './context.ts';
@@ -13,13 +14,14 @@ const MARGIN = 10;
 export function LqrReadout() {
   const ui = useUi();
   const answer = useSignal<Answer<ControlAnalysis> | null>(null);
-  useSignalEffect(() => {
+  // Not useSignalEffect, which waits for a frame: the design is asked for as the weight moves.
+  useEffect(() => effect(() => {
     const draft = ui.app.state.draft.value;
     if (draft.control?.type !== 'lqr') return;
     void ui.app.control.analyse(draft, 'panel').then((found) => {
       if (found) answer.value = found;
     });
-  });
+  }), []);
   const now = answer.value;
   if (!now) return <p class="hint" data-testid="lqr-readout">{text.lqr.computing}</p>;
   if (!now.ok) return <p class="error" role="alert" data-testid="lqr-readout">{now.message}</p>;

@@ -1,4 +1,5 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
+import { keyTimes } from './app/exportPlan.ts';
 import { legendBar } from './app/forceScale.ts';
 import { ghostsAt, type GhostPoses } from './app/ghosts.ts';
 import { Pace } from './app/pace.ts';
@@ -86,22 +87,13 @@ function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: nu
   return bar && { pixels: bar.pixels, label: `${bar.newtons}\u2009N` };
 }
 
-/** Keyframe times (s): the run's rows within the range, or so many a second. */
-function keyTimes({ trajectory }: Motion, { from, to, rate }: GlbPlan): Float64Array {
-  if (rate !== null) return Float64Array.from({ length: Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1) }, (_, k) => from + k / rate);
-  const rows = trajectory.column('t')!.slice(trajectory.locate(from), trajectory.locate(to) + 1);
-  let count = 0;
-  for (const t of rows) if (t >= from && (count === 0 || t > rows[count - 1]!)) rows[count++] = t;
-  return rows.subarray(0, count);
-}
-
 export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan, { signal, onKey }: Watching): Promise<Blob> {
   const motion = watched(app, dressed);
   const { glbOf } = await import('./scene/gltf.ts');
   const pace = new Pace(signal);
   const sampler = samplerOf(motion);
   await caughtUp(sampler, plan.from, pace);
-  const times = keyTimes(motion, plan);
+  const times = keyTimes(motion.trajectory.column('t')!, plan);
   return glbOf({
     title: motion.title, models: dressed.models, cast: dressed.cast!, theme: app.state.theme.peek(), times, generator: plan.generator,
     extras: { title: motion.title, system: motion.system.meta.id, start: times[0] ?? 0, parameters: motion.parameters, scenario: motion.written ?? motion.scenario },

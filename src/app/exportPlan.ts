@@ -9,6 +9,33 @@ export const MOST_FRAMES = 36_000;
 /** Keyframes of a 3-D file: some 170 bytes each for the board, more than any viewer takes. */
 export const MOST_KEYS = 2_000_000;
 
+/** First of the rows within [from, to], and the one after the last. @param t times, s, never falling */
+export function rowsWithin(t: Float64Array, from: number, to: number): [number, number] {
+  const firstWhere = (beyond: (time: number) => boolean): number => {
+    let [low, high] = [0, t.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (beyond(t[middle]!)) high = middle;
+      else low = middle + 1;
+    }
+    return low;
+  };
+  return [firstWhere((time) => time >= from), firstWhere((time) => time > to)];
+}
+
+/** Times of keyframes, s: the run's rows within [from, to], each moment once, or `rate` a second. */
+export function keyTimes(t: Float64Array, { from, to, rate }: { from: number; to: number; rate: number | null }): Float64Array {
+  if (rate !== null) return Float64Array.from({ length: keyCount(t, { from, to, rate }) }, (_, k) => from + k / rate);
+  return t.slice(...rowsWithin(t, from, to)).filter((time, k, rows) => k === 0 || time > rows[k - 1]!);
+}
+
+/** How many they are; rows at one moment each for itself. */
+export function keyCount(t: Float64Array, { from, to, rate }: { from: number; to: number; rate: number | null }): number {
+  if (rate !== null) return Math.max(1, Math.floor((to - from) * rate + 1e-9) + 1);
+  const [first, end] = rowsWithin(t, from, to);
+  return end - first;
+}
+
 export interface VideoRange {
   /** Times of the motion (s). */
   from: number;

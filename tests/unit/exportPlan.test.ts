@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { bitrateFor, fileName, frameCount, frameTime, LARGEST, sideOf, sizeInWords, SMALLEST, videoDuration } from '../../src/app/exportPlan.ts';
+import { bitrateFor, fileName, frameCount, frameTime, keyCount, keyTimes, LARGEST, sideOf, sizeInWords, SMALLEST, videoDuration } from '../../src/app/exportPlan.ts';
 import { keepSign } from '../../src/scene/keyframes.ts';
 
 describe('frames of a video', () => {
@@ -31,6 +31,21 @@ describe('frames of a video', () => {
     [{ from: 2, to: 3, fps: 24, speed: 1 / 4 }, 96],
     [{ from: 1, to: 1, fps: 60, speed: 1 }, 1],
   ])('%j', (range, frames) => expect(frameCount(range)).toBe(frames));
+});
+
+test('keyframes are the rows of the range with both of its ends, each moment once, or so many a second', () => {
+  const t = Float64Array.of(0, 0.5, 0.5, 1, 1.5, 2);
+  expect([...keyTimes(t, { from: 0, to: 2, rate: null })]).toEqual([0, 0.5, 1, 1.5, 2]);
+  expect([...keyTimes(t, { from: 0.4, to: 1.7, rate: null })]).toEqual([0.5, 1, 1.5]);
+  expect([...keyTimes(t, { from: 0.25, to: 1, rate: 4 })]).toEqual([0.25, 0.5, 0.75, 1]);
+  expect(keyCount(t, { from: 0, to: 2, rate: null })).toBe(6);
+  fc.assert(
+    fc.property(fc.array(fc.double({ min: 0, max: 9, noNaN: true }), { minLength: 1 }), fc.double({ min: 0, max: 9, noNaN: true }), fc.double({ min: 0, max: 9, noNaN: true }), (times, from, to) => {
+      const rows = Float64Array.from(times).sort();
+      expect(keyTimes(rows, { from, to, rate: null })).toEqual(new Float64Array(new Set(rows.filter((time) => time >= from && time <= to))));
+    }),
+    { seed: 11 },
+  );
 });
 
 test('sides are whole, within the limits, and even where asked', () => {

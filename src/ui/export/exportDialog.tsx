@@ -8,7 +8,7 @@ import type { Motion } from '../../app/types.ts';
 import { MOST_KEYS, sizeInWords } from '../../app/exportPlan.ts';
 import { exportText as text } from '../../text/export.ts';
 import { RangeFields } from './fields.tsx';
-import { choices, job, keyCount, rangeOf, saveGlb, type Tab } from './jobs.ts';
+import { choices, job, keysOf, rangeOf, saveGlb, type Tab } from './jobs.ts';
 import { PicturePage, SaveButton } from './picturePage.tsx';
 
 /** With the encoder's code. */
@@ -46,12 +46,12 @@ function GlbPage({ motion, studio }: { motion: Motion; studio: Studio }) {
   const { from, to } = rangeOf(motion);
   const rate = choices.rate.value;
   const { trajectory } = motion;
-  const rows = Math.max(1, trajectory.locate(to) - trajectory.locate(from) + 1);
-  const keys = keyCount(motion);
+  const rows = keysOf(motion, null);
+  const keys = keysOf(motion);
   const bodies = motion.system.meta.bodies.length;
   // 28 bytes a body and key, 16 a wheel; meshes of a body take some 60 kB
   const bytes = keys * (4 + 28 * bodies + 16 * motion.system.contacts.length) + 60e3 * bodies;
-  const reason = to <= from && trajectory.length > 1 ? text.empty : keys > MOST_KEYS ? text.tooManyKeys(String(MOST_KEYS)) : null;
+  const reason = keys === 0 || (to <= from && trajectory.length > 1) ? text.empty : keys > MOST_KEYS ? text.tooManyKeys(String(MOST_KEYS)) : null;
   return (
     <form onSubmit={(event) => { event.preventDefault(); if (!reason) void saveGlb(app, studio, motion); }}>
       <p class="hint">{text.glbAbout}</p>

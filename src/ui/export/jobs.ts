@@ -1,7 +1,7 @@
 /** What the export dialog remembers while the page lives, and the work it starts. */
 import { signal } from '@preact/signals';
 import { download } from '../../app/download.ts';
-import { bitrateFor, fileName, frameCount, frameTime, type VideoRange } from '../../app/exportPlan.ts';
+import { bitrateFor, fileName, frameCount, frameTime, keyCount, type VideoRange } from '../../app/exportPlan.ts';
 import type { ShotPlan, Studio } from '../../app/studio.ts';
 import type { App, Motion } from '../../app/types.ts';
 import type { Encoding } from '../../media/video.ts';
@@ -34,12 +34,9 @@ export function rangeOf({ id, trajectory }: Motion): { from: number; to: number 
   return { from: (motion === id ? from : null) ?? trajectory.start, to: (motion === id ? to : null) ?? trajectory.end };
 }
 
-/** Keyframes of the part that is chosen. */
-export function keyCount(motion: Motion): number {
-  const { from, to } = rangeOf(motion);
-  const { trajectory } = motion;
-  const rate = choices.rate.value;
-  return rate === null ? Math.max(1, trajectory.locate(to) - trajectory.locate(from) + 1) : Math.max(1, Math.floor((to - from) * rate) + 1);
+/** Keyframes of the part that is chosen, at the rate that is chosen or another. */
+export function keysOf(motion: Motion, rate = choices.rate.value): number {
+  return keyCount(motion.trajectory.column('t')!, { ...rangeOf(motion), rate });
 }
 
 /** Runs one export at a time; says how it ended unless it was cancelled. */
@@ -102,5 +99,5 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
 
 export function saveGlb(app: App, studio: Studio, motion: Motion): Promise<void> {
   const plan = { ...rangeOf(motion), rate: choices.rate.peek(), generator: page.name };
-  return work(app, keyCount(motion), 'keys', async (signal) => ({ name: fileName(motion.title, 'glb'), part: await studio.glb(plan, { signal, onKey: progress }), type: 'model/gltf-binary' }));
+  return work(app, keysOf(motion), 'keys', async (signal) => ({ name: fileName(motion.title, 'glb'), part: await studio.glb(plan, { signal, onKey: progress }), type: 'model/gltf-binary' }));
 }

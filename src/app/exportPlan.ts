@@ -1,4 +1,5 @@
 /** Arithmetic of exports: which frames a video has, when they are, how large things get, how files are called. */
+import { rowsWithin } from '../core/trajectory/rowsWithin.ts';
 
 /** Sides of a picture (px). */
 export const SMALLEST = 16;
@@ -8,20 +9,6 @@ export const MOST_FRAMES = 36_000;
 
 /** Keyframes of a 3-D file: some 170 bytes each for the board, more than any viewer takes. */
 export const MOST_KEYS = 2_000_000;
-
-/** First of the rows within [from, to], and the one after the last. @param t times, s, never falling */
-export function rowsWithin(t: Float64Array, from: number, to: number): [number, number] {
-  const firstWhere = (beyond: (time: number) => boolean): number => {
-    let [low, high] = [0, t.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (beyond(t[middle]!)) high = middle;
-      else low = middle + 1;
-    }
-    return low;
-  };
-  return [firstWhere((time) => time >= from), firstWhere((time) => time > to)];
-}
 
 /** Times of keyframes, s: the run's rows within [from, to], each moment once, or `rate` a second. */
 export function keyTimes(t: Float64Array, { from, to, rate }: { from: number; to: number; rate: number | null }): Float64Array {

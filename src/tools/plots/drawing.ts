@@ -3,6 +3,7 @@ import type { Motion } from '../../app/types.ts';
 import type { PaneCurve } from '../../charts/panePlot.ts';
 import { compileExpression } from '../../core/scenario/expressions.ts';
 import { decimated } from '../../core/trajectory/envelope.ts';
+import { rowsWithin } from '../../core/trajectory/rowsWithin.ts';
 import type { Trajectory } from '../../core/trajectory/trajectory.ts';
 import type { ColumnInfo } from './columns.ts';
 import type { PaneProps } from './paneView.tsx';
@@ -79,14 +80,13 @@ export function curvesOf(
   return { curves, x: overTime ? [from, to] : rangeOf(curves.map((c) => c.x)), y: rangeOf(curves.map((c) => c.y), overTime ? { x: curves.map((c) => c.x), from, to } : undefined) };
 }
 
-/** Rows of a path within the times that are shown. */
+/** Rows of a path within the times that are shown; of too many, every so manieth and the last. */
 function path(t: Float64Array, xs: Float64Array, ys: Float64Array, from: number, to: number, xScale: number, yScale: number): { x: number[]; y: number[] } {
   const x: number[] = [];
   const y: number[] = [];
-  const rows = Math.min(xs.length, ys.length);
-  const step = Math.max(1, Math.floor(rows / PATH_POINTS));
-  for (let i = 0; i < rows; i += step) {
-    if (t[i]! < from || t[i]! > to) continue;
+  const [first, end] = rowsWithin(t.subarray(0, Math.min(xs.length, ys.length)), from, to);
+  const step = Math.max(1, Math.ceil((end - first) / PATH_POINTS));
+  for (let i = first; i < end; i = i < end - 1 ? Math.min(i + step, end - 1) : end) {
     x.push(xScale * xs[i]!);
     y.push(yScale * ys[i]!);
   }

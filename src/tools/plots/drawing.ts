@@ -80,7 +80,7 @@ export function curvesOf(
   return { curves, x: overTime ? [from, to] : rangeOf(curves.map((c) => c.x)), y: rangeOf(curves.map((c) => c.y), overTime ? { x: curves.map((c) => c.x), from, to } : undefined) };
 }
 
-/** Rows of a path within the times that are shown; of too many, every so manieth and the last. */
+/** Rows of a path within the times that are shown; of too many, one in every few and the last. */
 function path(t: Float64Array, xs: Float64Array, ys: Float64Array, from: number, to: number, xScale: number, yScale: number): { x: number[]; y: number[] } {
   const x: number[] = [];
   const y: number[] = [];

@@ -15,10 +15,17 @@ const woff2Only = {
   transform: (code: string, id: string) => (/katex[\w.-]*\.css/.test(id) ? code.replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\(["'](?:woff|truetype)["']\)/g, '') : undefined),
 };
 
+/** The development server puts style sheets into the page as elements, which the page's own policy forbids. */
+const developersStyles = {
+  name: 'developers-styles',
+  apply: 'serve' as const,
+  transformIndexHtml: (html: string) => html.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'"),
+};
+
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [woff2Only, offline()],
+  plugins: [woff2Only, developersStyles, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined), rolldownOptions: { output: { chunkFileNames } } },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },

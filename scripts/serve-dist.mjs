@@ -1,6 +1,6 @@
 // A static server for dist, without a dependency: `npm start` and the browser tests serve the page with it.
 // On its own: node scripts/serve-dist.mjs --port 4199 --base /lab/
-import { createReadStream, statSync } from 'node:fs';
+import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -47,6 +47,16 @@ function fileFor(url, base, folder) {
   return null;
 }
 
+/** The Content-Security-Policy that the page itself names. */
+function policyOf(folder) {
+  try {
+    const policy = /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(readFileSync(join(folder, 'index.html'), 'utf8'));
+    return policy ? { 'Content-Security-Policy': policy[1] } : {};
+  } catch (_) {
+    return {};
+  }
+}
+
 function answer(request, response, base, folder) {
   if (base !== '/' && request.url === base.slice(0, -1)) {
     response.writeHead(302, { Location: base }).end();
@@ -61,6 +71,10 @@ function answer(request, response, base, folder) {
     'Content-Type': TYPES[extname(file.path).toLowerCase()] || 'application/octet-stream',
     'Content-Length': file.size,
     'Cache-Control': 'no-store',
+    'X-Content-Type-Options': 'nosniff',
+    'Referrer-Policy': 'no-referrer',
+    // Workers come under the policy of their own answer, not of the page's.
+    ...policyOf(folder),
   });
   if (request.method === 'HEAD') response.end();
   else

@@ -8,19 +8,10 @@ import { ScenarioError } from '../../src/core/scenario/types.ts';
 import { CsvByteReader } from '../../src/io/csvBytes.ts';
 import { checkMaterials, checkMesh, MeshError } from '../../src/scene/meshText.ts';
 import { metas } from '../helpers.ts';
+import { awkward, damaged } from './damage.ts';
 import { runs, SEED, tally } from './tally.ts';
 
 /** Files, links and formulas of strangers: taken, or refused with what and where; nothing else. */
-
-/** Damage to a text: pieces cut, doubled, swapped, replaced by what is awkward. */
-const awkward = fc.constantFrom('__proto__', 'constructor', 'toString', '{', '}', '[', ']', '"', '\\', '\u0000', '\ufeff', '\u202e', '\ud800', '1e999', '-0', 'NaN', 'Infinity', 'null', '<script>', '../', 'javascript:', '9'.repeat(400), '['.repeat(3000), '(((((', '^^^', ',', '\n', '#', '%s', '🛹');
-const edit = fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.integer({ min: 0, max: 60 }), fc.oneof(awkward, fc.constant(''), fc.string({ maxLength: 8 })));
-const damaged = (original: fc.Arbitrary<string>): fc.Arbitrary<string> =>
-  fc.tuple(original, fc.array(edit, { minLength: 0, maxLength: 4 })).map(([text, edits]) =>
-    edits.reduce((now, [where, length, put]) => {
-      const at = Math.floor(where * now.length);
-      return now.slice(0, at) + put + now.slice(at + length);
-    }, text));
 
 const keysOf = (o: object): string[] => Reflect.ownKeys(o).map(String).sort();
 const prototypes = [Object.prototype, Array.prototype, Function.prototype, String.prototype];

@@ -109,8 +109,13 @@ test('a balanced board is pushed by hand while it rides, resists, and rides on t
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
   await page.mouse.move(at.x + 12, at.y - 10, { steps: 2 });
-  // Looked at with every frame: how long a hand is on it decides what becomes of the board.
-  await page.waitForFunction(() => parseFloat(document.querySelector('[data-testid=time]')!.textContent!) > 4.3);
+  // Let go in the page, by the first frame after 4.3 s: how long a hand is on it decides what becomes of the board.
+  await page.waitForFunction(() => {
+    if (!(parseFloat(document.querySelector('[data-testid=time]')!.textContent!) > 4.3)) return false;
+    const canvas = document.querySelector('canvas')!;
+    for (let pointerId = 0; pointerId < 8; pointerId++) canvas.dispatchEvent(new PointerEvent('pointerup', { pointerId }));
+    return true;
+  });
   await page.mouse.up();
   await page.keyboard.up('Shift');
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end', { timeout: 20_000 });

@@ -147,7 +147,7 @@ export class Runs {
           title,
           system: systemViews[scenario.system]!,
           parameters: scenario.parameters,
-          trajectory: onward ? firstRows(onward, columns) : new Trajectory(columns, Math.ceil(scenario.duration / scenario.outputStep) + 2),
+          trajectory: onward ? firstRows(onward, columns, rowsOf(scenario)) : new Trajectory(columns, rowsOf(scenario)),
           constraints: scenario.constraints,
           scenario,
           written: draft,
@@ -236,10 +236,13 @@ function continuationOf({ before: { system, trajectory }, row, time }: Onward, s
   return { time: Math.round(time / scenario.outputStep) * scenario.outputStep, q: names.map(at), v: names.map((name) => at(`${name}_dot`)) };
 }
 
+/** Rows to be expected of a run: room is made for them at once, for copying a long run into larger columns would stop the page. */
+const rowsOf = ({ duration, outputStep }: Scenario): number => Math.ceil(duration / outputStep) + 2;
+
 /** The rows up to and with the one to go on from, in the new run's columns; what the old run did not have is not a number. */
-function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[]): Trajectory {
+function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[], expected: number): Trajectory {
   const rows = row + 1;
-  const kept = new Trajectory(columns, 2 * rows);
+  const kept = new Trajectory(columns, Math.max(2 * rows, expected));
   kept.append(columns.map((name) => trajectory.column(name)?.subarray(0, rows) ?? new Float64Array(rows).fill(NaN)), rows);
   return kept;
 }

@@ -44,13 +44,15 @@ export class Runs {
     this.client.abandon();
     this.going = this.stale = false;
     const { state } = this;
-    state.run.value = null;
-    state.statistics.value = null;
-    state.time.value = motion.trajectory.start;
-    state.motion.value = { ...motion, id: this.nextMotion++ };
-    this.settle();
-    state.rowsVersion.value++;
-    state.playing.value = true;
+    batch(() => {
+      state.run.value = null;
+      state.statistics.value = null;
+      state.time.value = motion.trajectory.start;
+      state.motion.value = { ...motion, id: this.nextMotion++ };
+      this.settle();
+      state.rowsVersion.value++;
+      state.playing.value = true;
+    });
   }
 
   /** Puts a motion back that was on the stage before, paused where it was. */
@@ -161,10 +163,12 @@ export class Runs {
       },
       rows: (columns, rows, time, counts) => {
         motion!.trajectory.append(columns, rows);
-        this.adopt(motion!, autoplay, onward !== null);
-        state.rowsVersion.value++;
-        this.count(counts);
-        if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+        batch(() => {
+          this.adopt(motion!, autoplay, onward !== null);
+          state.rowsVersion.value++;
+          this.count(counts);
+          if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+        });
         this.wentOn();
       },
       pushed: (record) => {

@@ -40,6 +40,16 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     glb: async (plan, watching) => (await import('./studio.ts')).writeGlb(app, dressed.peek(), plan, watching),
   };
   effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
+  let following = false;
+  /** Rows that could not be followed at once are in the next frame: one look a frame, however often the time changes. */
+  const followOn = (): void => {
+    if (following) return;
+    following = true;
+    requestAnimationFrame(() => {
+      following = false;
+      state.rowsVersion.value++;
+    });
+  };
   effect(() => {
     const sampler = stage.sampler.value;
     const motion = state.motion.value;
@@ -49,7 +59,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     // A pause at the newest row of a growing run must redraw when rows come.
     void state.rowsVersion.value;
     if (!sampler.sample(time)) return;
-    if (sampler.behind) requestAnimationFrame(() => void state.rowsVersion.value++);
+    if (sampler.behind) followOn();
     view.setTrails(sampler.tracks());
     view.setFrame({ time, poses: sampler.poses, wheelAngles: sampler.wheelAngles, forces: state.showForces.value ? sampler.forces(time) : [] });
     drawPull(app, view, sampler.poses);

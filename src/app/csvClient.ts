@@ -1,4 +1,8 @@
+import type { Trajectory } from '../core/trajectory/trajectory.ts';
 import type { CsvReply, CsvRequest, FileReading } from '../io/csv.worker.ts';
+
+/** Rows copied and written in one go: a few milliseconds of the page's time. */
+const ROWS_PER_PART = 20_000;
 
 type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
 
@@ -29,24 +33,34 @@ export class CsvClient {
 
   /** @returns null when it was cancelled */
   async read(file: Blob, { timeStep, onProgress, signal }: ReadOptions = {}): Promise<FileReading | null> {
-    const reply = await this.ask({ type: 'read', file, ...(timeStep === undefined ? {} : { timeStep }) }, onProgress, signal);
+    const reply = await this.ask({ type: 'read', file, ...(timeStep === undefined ? {} : { timeStep }) }, { ...(onProgress ? { onProgress } : {}), ...(signal ? { signal } : {}) });
     if (reply.type === 'cancelled') return null;
     if (reply.type !== 'read') throw new Error('the reader answered out of turn');
     return reply;
   }
 
-  async write(columns: string[], data: Float64Array[], comments: string[]): Promise<string> {
-    const reply = await this.ask({ type: 'write', columns, data, comments });
-    if (reply.type !== 'written') throw new Error('the writer answered out of turn');
-    return reply.text;
+  /** A trajectory as a CSV file, part by part: no more than one part is held twice. Rows that come meanwhile are not in it. */
+  async write(trajectory: Trajectory, comments: string[]): Promise<Blob[]> {
+    const { length, generation } = trajectory;
+    const columns = [...trajectory.columns];
+    const parts: Blob[] = [];
+    for (let from = 0; from < length; from += ROWS_PER_PART) {
+      // Rows were let go meanwhile: the numbers of those that stay are others.
+      if (trajectory.generation !== generation) return this.write(trajectory, comments);
+      const data = columns.map((name) => trajectory.column(name)!.slice(from, Math.min(length, from + ROWS_PER_PART)));
+      const reply = await this.ask({ type: 'write', heading: from === 0 ? { columns, comments } : null, data }, { transfer: data.map((column) => column.buffer as ArrayBuffer) });
+      if (reply.type !== 'written') throw new Error('the writer answered out of turn');
+      parts.push(reply.part);
+    }
+    return parts;
   }
 
-  private ask(request: WithoutId<CsvRequest>, onProgress?: ReadOptions['onProgress'], signal?: AbortSignal): Promise<CsvReply> {
+  private ask(request: WithoutId<CsvRequest>, { onProgress, signal, transfer = [] }: Omit<ReadOptions, 'timeStep'> & { transfer?: Transferable[] } = {}): Promise<CsvReply> {
     const id = this.next++;
     this.worker ??= this.open();
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject, onProgress });
-      this.worker!.postMessage({ ...request, id });
+      this.worker!.postMessage({ ...request, id }, transfer);
       signal?.addEventListener('abort', () => this.worker?.postMessage({ type: 'cancel', id } satisfies CsvRequest));
     });
   }

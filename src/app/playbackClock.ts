@@ -22,6 +22,8 @@ export const speeds: readonly number[] = [1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 
 
 /** A tab that slept wakes with one long frame; it goes on from where it was instead of jumping ahead. */
 const LONGEST_FRAME_S = 0.25;
+/** A longer frame than any slow drawing takes: the tab was hidden, or the machine slept. */
+const SLEPT_MS = 3000;
 /** Over how long the speed that is really held is measured. */
 const MEASURE_S = 1;
 
@@ -32,7 +34,9 @@ export function runPlaybackClock(playback: Playback, range: PlaybackRange): () =
   let measuredFrom = { wall: 0, time: 0 };
 
   const tick = (now: number): void => {
-    const elapsed = Math.min((now - last) / 1000, LONGEST_FRAME_S);
+    const elapsed = Math.min(Math.max(now - last, 0) / 1000, LONGEST_FRAME_S);
+    // Of the time that was slept through nothing is said.
+    if (now - last > SLEPT_MS) measuredFrom = { wall: now, time: playback.time.peek() };
     last = now;
     advance(playback, range, elapsed);
     const wall = (now - measuredFrom.wall) / 1000;

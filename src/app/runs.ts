@@ -44,13 +44,15 @@ export class Runs {
     this.client.abandon();
     this.going = this.stale = false;
     const { state } = this;
-    state.run.value = null;
-    state.statistics.value = null;
-    state.time.value = motion.trajectory.start;
-    state.motion.value = { ...motion, id: this.nextMotion++ };
-    this.settle();
-    state.rowsVersion.value++;
-    state.playing.value = true;
+    batch(() => {
+      state.run.value = null;
+      state.statistics.value = null;
+      state.time.value = motion.trajectory.start;
+      state.motion.value = { ...motion, id: this.nextMotion++ };
+      this.settle();
+      state.rowsVersion.value++;
+      state.playing.value = true;
+    });
   }
 
   /** Puts a motion back that was on the stage before, paused where it was. */
@@ -147,7 +149,7 @@ export class Runs {
           title,
           system: systemViews[scenario.system]!,
           parameters: scenario.parameters,
-          trajectory: onward ? firstRows(onward, columns) : new Trajectory(columns, Math.ceil(scenario.duration / scenario.outputStep) + 2),
+          trajectory: onward ? firstRows(onward, columns, rowsOf(scenario)) : new Trajectory(columns, rowsOf(scenario)),
           constraints: scenario.constraints,
           scenario,
           written: draft,
@@ -161,10 +163,12 @@ export class Runs {
       },
       rows: (columns, rows, time, counts) => {
         motion!.trajectory.append(columns, rows);
-        this.adopt(motion!, autoplay, onward !== null);
-        state.rowsVersion.value++;
-        this.count(counts);
-        if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+        batch(() => {
+          this.adopt(motion!, autoplay, onward !== null);
+          state.rowsVersion.value++;
+          this.count(counts);
+          if (state.run.peek()?.kind === 'computing') state.run.value = { kind: 'computing', progress: time / scenario.duration };
+        });
         this.wentOn();
       },
       pushed: (record) => {
@@ -236,10 +240,13 @@ function continuationOf({ before: { system, trajectory }, row, time }: Onward, s
   return { time: Math.round(time / scenario.outputStep) * scenario.outputStep, q: names.map(at), v: names.map((name) => at(`${name}_dot`)) };
 }
 
+/** Rows to be expected of a run: room is made for them at once, for copying a long run into larger columns would stop the page. */
+const rowsOf = ({ duration, outputStep }: Scenario): number => Math.ceil(duration / outputStep) + 2;
+
 /** The rows up to and with the one to go on from, in the new run's columns; what the old run did not have is not a number. */
-function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[]): Trajectory {
+function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[], expected: number): Trajectory {
   const rows = row + 1;
-  const kept = new Trajectory(columns, 2 * rows);
+  const kept = new Trajectory(columns, Math.max(2 * rows, expected));
   kept.append(columns.map((name) => trajectory.column(name)?.subarray(0, rows) ?? new Float64Array(rows).fill(NaN)), rows);
   return kept;
 }

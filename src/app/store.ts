@@ -223,8 +223,12 @@ async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): P
     return;
   }
   const { trajectory } = motion;
-  const columns = [...trajectory.columns];
   const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)] : [];
-  const text = await csv.write(columns, columns.map((name) => trajectory.column(name)!.slice()), comments);
-  download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, [text], 'text/csv');
+  let parts: Blob[];
+  try {
+    parts = await csv.write(trajectory, comments);
+  } catch (error) {
+    return messages.add('error', 'The CSV file was not written', [error instanceof Error ? error.message : String(error), 'The run is still on the page.']);
+  }
+  download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, parts, 'text/csv');
 }

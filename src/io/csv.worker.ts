@@ -3,7 +3,7 @@ import type { Scenario } from '../core/scenario/types.ts';
 import { judgeMotion, type Judgement } from '../core/simulation/judge.ts';
 import { loadSystem } from '../core/systems/loaders.ts';
 import { systemViews } from '../core/systems/views.ts';
-import { writeCsv, type CsvResult } from './csv.ts';
+import { csvHeader, csvRows, type CsvResult } from './csv.ts';
 import { CsvByteReader } from './csvBytes.ts';
 
 /** Reading, judging and writing large files off the main thread. Columns are transferred. */
@@ -11,7 +11,8 @@ export type CsvRequest =
   | { type: 'read'; id: number; file: Blob; timeStep?: number }
   /** Ends a reading; it is answered with `cancelled`. */
   | { type: 'cancel'; id: number }
-  | { type: 'write'; id: number; columns: string[]; data: Float64Array[]; comments: string[] };
+  /** Some rows; those that begin a file have a heading. The data are transferred. */
+  | { type: 'write'; id: number; heading: { columns: string[]; comments: string[] } | null; data: Float64Array[] };
 
 /** What a file holds; with the scenario it came from, if it says so, its numbers can be judged. */
 export interface FileReading {
@@ -24,7 +25,7 @@ export type CsvReply =
   | ({ type: 'read'; id: number } & FileReading)
   | { type: 'progress'; id: number; share: number; rows: number }
   | { type: 'cancelled'; id: number }
-  | { type: 'written'; id: number; text: string }
+  | { type: 'written'; id: number; part: Blob }
   | { type: 'failed'; id: number; message: string };
 
 const metas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
@@ -45,7 +46,8 @@ async function answer(data: CsvRequest): Promise<void> {
     return;
   }
   if (data.type === 'write') {
-    port.postMessage({ type: 'written', id: data.id, text: writeCsv(data.columns, data.data, data.comments) });
+    const { heading } = data;
+    port.postMessage({ type: 'written', id: data.id, part: new Blob([heading ? csvHeader(heading.columns, heading.comments) : '', ...csvRows(data.data)]) });
     return;
   }
   going.add(data.id);

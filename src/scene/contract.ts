@@ -194,8 +194,8 @@ export interface SceneView {
   draw(): void;
   /** Asks for one picture; any number of requests before it give one. */
   requestRender(): void;
-  /** Pictures drawn so far, what the last one held, and the bodies on the stage. */
-  stats(): { frames: number; triangles: number; calls: number; bodies: number };
+  /** Pictures drawn so far, what the last one held, the bodies on the stage, and what the graphics card holds. */
+  stats(): { frames: number; triangles: number; calls: number; bodies: number; geometries: number; textures: number; programs: number };
   /** World position of a body's origin (m), or null when it is not drawn. */
   bodyPosition(index: number): [number, number, number] | null;
   /** Body to world, 16 numbers by columns. */

@@ -258,7 +258,10 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       requested = 0;
     },
     requestRender,
-    stats: () => ({ frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count }),
+    stats: () => ({
+      frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count,
+      geometries: renderer.info.memory.geometries, textures: renderer.info.memory.textures, programs: renderer.info.programs?.length ?? 0,
+    }),
     bodyPosition: (index) => bodies.originOf(index)?.toArray() ?? null,
     bodyMatrix: (index) => bodies.matrix(index)?.toArray() ?? null,
     screenBox: (index) => boxOnScreen(index, rig.camera, size, bodies),

@@ -3,6 +3,8 @@ import type { Trail } from './contract.ts';
 
 /** Points closer together than this (m) are one point: a wheel that stands still adds nothing. */
 const SPACING = 0.003;
+/** Points kept of one track: of a longer one every second goes, as often as it takes. An hour's ride is drawn like a minute's. */
+export const MOST_POINTS = 131_072;
 /** A track this little above its points (m) is not swallowed by the ground. */
 const LIFT = 0.001;
 
@@ -27,6 +29,8 @@ export class TrackBuffer {
   readonly lift = LIFT;
   /** Points of the trail that have been read. */
   private read = 0;
+  private spacing = SPACING;
+  private thinned = false;
   private first: readonly number[] = [];
   private last: readonly number[] = [];
 
@@ -38,20 +42,23 @@ export class TrackBuffer {
     const continues = trail.count >= this.read && same(this.first, at(trail, 0)) && same(this.last, at(trail, this.read - 1));
     const restarted = !continues && this.read > 0;
     if (!continues) this.clear();
-    const from = this.count;
+    const before = this.count;
     const room = this.points.length;
+    this.thinned = false;
     for (let i = this.read; i < trail.count; i++) this.keep(trail, i);
     if (trail.count > 0) {
       this.first = at(trail, 0);
       this.last = at(trail, trail.count - 1);
     }
     this.read = trail.count;
-    return this.count === from && !restarted ? null : { from, grown: this.points.length !== room };
+    const from = this.thinned ? 0 : before;
+    return this.count === before && !restarted && !this.thinned ? null : { from, grown: this.points.length !== room };
   }
 
   clear(): void {
     this.count = 0;
     this.read = 0;
+    this.spacing = SPACING;
     this.first = this.last = [];
   }
 
@@ -61,12 +68,28 @@ export class TrackBuffer {
     const o = 3 * this.count;
     if (this.count > 0) {
       const far = Math.hypot(x - this.points[o - 3]!, y - this.points[o - 2]!, z - this.points[o - 1]!);
-      if (far < SPACING) return;
+      if (far < this.spacing) return;
     }
+    if (this.count === MOST_POINTS) this.thin();
     if (this.count === this.times.length) this.grow();
-    this.points.set([x, y, z], o);
+    const end = 3 * this.count;
+    this.points[end] = x;
+    this.points[end + 1] = y;
+    this.points[end + 2] = z;
     this.times[this.count] = trail.times[i]!;
     this.count++;
+  }
+
+  /** Lets every second point go. */
+  private thin(): void {
+    const kept = this.count >> 1;
+    for (let k = 1; k < kept; k++) {
+      this.points.copyWithin(3 * k, 6 * k, 6 * k + 3);
+      this.times[k] = this.times[2 * k]!;
+    }
+    this.count = kept;
+    this.spacing *= 2;
+    this.thinned = true;
   }
 
   private grow(): void {

@@ -19,7 +19,7 @@ export interface PointTrack {
 }
 
 /** Rows followed in one call: a few milliseconds' work, so that a large file never stops the page. */
-const ROWS_AT_ONCE = 4000;
+const ROWS_AT_ONCE = 6000;
 
 /**
  * A trajectory between its rows: positions interpolated linearly, attitudes on the shorter arc (so that a
@@ -34,6 +34,8 @@ export class MotionSampler {
   private readonly trajectory: Trajectory;
   private readonly constraints: string | null;
   private readonly q: Float64Array;
+  /** The coordinates' columns, valid until the trajectory grows. */
+  private readonly coordinates: Float64Array[] = [];
   private readonly before: Float64Array;
   private readonly after: Float64Array;
   private readonly quaternions = [new Float64Array(4), new Float64Array(4), new Float64Array(4)] as const;
@@ -48,6 +50,8 @@ export class MotionSampler {
   private rolled: Float64Array[];
   private tracked = 0;
   private generation = 0;
+  /** Rows have been followed since the tracks were asked for last. */
+  private fresh = false;
   private readonly followed: boolean;
 
   constructor(view: SystemView, parameters: Readonly<Record<string, number>>, trajectory: Trajectory, constraints: string | null) {
@@ -74,7 +78,9 @@ export class MotionSampler {
   sample(time: number): boolean {
     const { trajectory } = this;
     if (trajectory.length === 0) return false;
+    this.gather();
     this.follow();
+    this.fresh = true;
     const row = trajectory.locate(time);
     const t = trajectory.column('t')!;
     const next = Math.min(row + 1, trajectory.length - 1);
@@ -94,9 +100,13 @@ export class MotionSampler {
     return this.followed && this.tracked < this.trajectory.settled;
   }
 
-  /** Paths over all rows so far; the arrays are replaced when they grow. */
+  /** Paths over the rows that have been followed, all where they are few; the arrays are replaced when they grow. */
   tracks(): readonly PointTrack[] {
-    this.follow();
+    if (!this.fresh) {
+      this.gather();
+      this.follow();
+    }
+    this.fresh = false;
     return this.pointTracks;
   }
 
@@ -133,10 +143,14 @@ export class MotionSampler {
     return Number.isFinite(value) ? value : null;
   }
 
+  private gather(): void {
+    this.view.meta.coordinates.forEach(({ name }, i) => (this.coordinates[i] = this.trajectory.column(name)!));
+  }
+
   private posesAt(row: number, out: Float64Array): void {
-    const { coordinates } = this.view.meta;
-    for (let i = 0; i < coordinates.length; i++) this.q[i] = this.trajectory.column(coordinates[i]!.name)![row]!;
-    this.view.poses(this.q, this.parameters, out);
+    const { q, coordinates } = this;
+    for (let i = 0; i < q.length; i++) q[i] = coordinates[i]![row]!;
+    this.view.poses(q, this.parameters, out);
   }
 
   private blend(share: number): void {

@@ -82,7 +82,12 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
   const units = unitOf(pane.y.map(infoOf), degrees);
   useLayoutEffect(() => {
     const element = host.current!;
-    const token = (name: string): string => getComputedStyle(element).getPropertyValue(name).trim();
+    // Asked for once a theme: every answer has the page's styles worked out.
+    const tokens = new Map<string, string>();
+    const token = (name: string): string => {
+      if (!tokens.has(name)) tokens.set(name, getComputedStyle(element).getPropertyValue(name).trim());
+      return tokens.get(name)!;
+    };
     const x = infoOf(pane.x);
     const plot = createPanePlot(element, { xLabel: pane.x === 't' ? 't, s' : `${pane.x}${x.unit ? `, ${unitOf([x], degrees)}` : ''}`, yLabel: units, ink: token('--muted'), line: token('--line'), equal: pane.equal ?? false });
     drawn.current = plot;
@@ -147,8 +152,8 @@ function Options({ columns }: { columns: readonly ColumnInfo[] }) {
   );
 }
 
-function Legend({ info, pane, motion, values, degrees, onChange }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
-  const time = useSlowTime();
+function Legend({ info, degrees, ...props }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
+  const { pane, onChange } = props;
   const root = useRef<HTMLUListElement>(null);
   const token = (name: string): string => getComputedStyle(root.current ?? document.documentElement).getPropertyValue(name).trim();
   const styles = stylesOf(info, token);
@@ -158,12 +163,11 @@ function Legend({ info, pane, motion, values, degrees, onChange }: PaneProps & {
   return (
     <ul class="pane-legend" ref={root}>
       {info.map((c, i) => {
-        const value = at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1);
         return (
           <li key={c.name} class={hidden.has(c.name) ? 'off' : undefined}>
             <button type="button" aria-pressed={!hidden.has(c.name)} aria-label={text.hide(c.label)} title={`${c.label}. ${text.isolateHint}`} data-testid={`legend-${c.name}`} onClick={() => toggle(c.name)} onDblClick={() => isolate(c.name)}>
               <svg width="20" height="8" aria-hidden="true"><line x1="0" y1="4" x2="20" y2="4" stroke={styles[i]!.color} stroke-width="2.5" stroke-dasharray={styles[i]!.dash?.join(' ')} /></svg>
-              <span>{c.name}</span> <span class="number">{formatShort(value, 4)}</span> <span class="unit">{unitOf([c], degrees)}</span>
+              <span>{c.name}</span> <LegendValue of={c} degrees={degrees} {...props} /> <span class="unit">{unitOf([c], degrees)}</span>
             </button>
             <button type="button" class="quiet square remove" aria-label={text.removeCurve(c.name)} title={text.removeCurve(c.name)} onClick={() => onChange({ ...pane, y: pane.y.filter((n) => n !== c.name) })}><Icon name="close" /></button>
           </li>
@@ -172,6 +176,12 @@ function Legend({ info, pane, motion, values, degrees, onChange }: PaneProps & {
       {pane.exact && <li><svg width="20" height="8" aria-hidden="true"><line x1="0" y1="4" x2="20" y2="4" stroke="currentColor" stroke-width="1.5" stroke-dasharray="2 2" /></svg> <span>{pane.exact.label || text.exact}</span></li>}
     </ul>
   );
+}
+
+/** On its own: it follows the time, and the colours around it are not asked for again. */
+function LegendValue({ of: c, motion, values, degrees }: PaneProps & { of: ColumnInfo; degrees: boolean }) {
+  const time = useSlowTime();
+  return <span class="number">{formatShort(at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1), 4)}</span>;
 }
 
 /** The same in numbers, for those who read rather than see. */

@@ -1,0 +1,106 @@
+// Part of `npm run big`: what the page does while a sweep runs, and ten million points in the plots.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { expect, test, type Page } from '@playwright/test';
+import { chooseCase, ended, measured, medianOf, openPage, pause, VIEWPORT } from '../e2e/helpers.ts';
+import { bigTable } from './bigFiles.ts';
+import { Gauges, longTasks, noteLongTasks, slowScripts } from './gauges.ts';
+
+test.use({ viewport: VIEWPORT });
+
+function keep(id: string, line: Record<string, string>): void {
+  mkdirSync('.cache/big', { recursive: true });
+  writeFileSync(`.cache/big/${id}.json`, JSON.stringify(line));
+  measured(`${id}: ${JSON.stringify(line, null, 1)}`);
+}
+
+const told = (tasks: readonly number[]): string => (tasks.length === 0 ? 'none' : `${tasks.length}, longest ${tasks[0]!.toFixed(0)} ms`);
+const waits = (list: readonly number[]): string => `median ${medianOf(list).toFixed(0)} ms, longest ${Math.max(...list).toFixed(0)} ms`;
+
+test('a sweep of 200 runs', async ({ page }) => {
+  const watch = await openPage(page);
+  const gauges = await Gauges.of(page);
+  await chooseCase(page, 'released');
+  await ended(page, 2, 'touchdown');
+  await pause(page);
+  await page.getByTestId('tool-compare').click();
+  await page.getByTestId('compare-sweep').click();
+  await page.getByTestId('sweep-axis-0').selectOption('initial.X_dot');
+  for (const [field, value] of [['from', '1'], ['to', '3'], ['count', '200']] as const) await page.getByTestId(`sweep-${field}-0`).fill(value);
+  await noteLongTasks(page);
+  const from = Date.now();
+  await page.getByTestId('sweep-run').click();
+  await expect(page.getByTestId('sweep-standing')).toHaveAttribute('data-state', 'ended', { timeout: 300_000 });
+  const seconds = (Date.now() - from) / 1000;
+  const tasks = await longTasks(page);
+  console.log(await slowScripts(page));
+  keep('sweep', { what: 'a sweep of 200 runs over the speed, in all workers', became: `ended after ${seconds.toFixed(1)} s`, tasks: told(tasks), seeks: '–', memory: `${((await gauges.memory()).buffers / 1e6).toFixed(0)} MB of columns` });
+  expect(watch).toEqual({ errors: [], foreign: [] });
+});
+
+/** Presses keys on a plot, one after another; from each to the picture two frames later, in ms. */
+const pressed = (page: Page, keys: readonly string[]): Promise<number[]> =>
+  page.evaluate(async (list) => {
+    const plot = document.querySelector<HTMLElement>('[data-testid=plot-canvas]')!;
+    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    const all: number[] = [];
+    for (const key of list) {
+      // Drawings come at most every tenth of a second: the last one is over.
+      await new Promise((done) => setTimeout(done, 150));
+      await frame();
+      const from = performance.now();
+      plot.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+      await frame();
+      await frame();
+      all.push(performance.now() - from);
+    }
+    return all;
+  }, keys);
+
+test('ten million points in the plots', async ({ page }) => {
+  const watch = await openPage(page);
+  const gauges = await Gauges.of(page);
+  const file = bigTable('long-ride.csv', 135e6);
+  try {
+    await page.getByTestId('tool-plots').click();
+    await page.getByTestId('open-file').setInputFiles(file.path);
+    await expect(page.getByTestId('rows')).toHaveText(`${file.rows.toLocaleString('en')} rows`, { timeout: 180_000 });
+    await pause(page);
+    const pane = page.getByTestId('plot-pane').first();
+    const add = pane.getByTestId('plot-add-curve');
+    const columns = await add.locator('option').evaluateAll((list) => list.map((option) => (option as HTMLOptionElement).value).filter((name) => /^\w+$/.test(name) && name !== 't'));
+    for (const name of columns) await add.selectOption(name);
+    const shown = await pane.locator('[data-testid^=legend-]').count();
+    const points = shown * file.rows;
+    expect(points).toBeGreaterThanOrEqual(10e6);
+    await page.evaluate(() => window.ripstikApp.actions.seek(200));
+    await page.waitForTimeout(2000);
+    await noteLongTasks(page);
+    const zooms = await pressed(page, ['0', ...Array.from({ length: 24 }, () => '+'), ...Array.from({ length: 12 }, () => '-'), '0', '+', '0', '+']);
+    const zooming = await longTasks(page);
+    console.log(await slowScripts(page));
+    const seeks = await page.evaluate(async () => {
+      const frame = () => new Promise((done) => requestAnimationFrame(done));
+      const list: number[] = [];
+      for (let k = 1; k <= 30; k++) {
+        await frame();
+        const from = performance.now();
+        window.ripstikApp.actions.seek((k * 137.5) % 400);
+        await frame();
+        await frame();
+        list.push(performance.now() - from);
+      }
+      return list;
+    });
+    const seeking = await longTasks(page);
+    keep('points', {
+      what: `${(points / 1e6).toFixed(1)} million points in one plot: ${shown} curves of ${file.rows.toLocaleString('en')} rows`,
+      became: `from a key that zooms to its second frame ${waits(zooms)}`,
+      tasks: `zooming ${told(zooming)}; seeking ${told(seeking)}`,
+      seeks: waits(seeks),
+      memory: `${((await gauges.memory()).buffers / 1e6).toFixed(0)} MB of columns`,
+    });
+    expect(watch).toEqual({ errors: [], foreign: [] });
+  } finally {
+    file.remove();
+  }
+});

@@ -11,7 +11,7 @@ interface PageApp {
     speed: { value: number }; loop: { value: boolean }; meshes: { value: ReadonlyMap<string, unknown> }; plots: { value: unknown }; drafts: { value: ReadonlyMap<string, unknown> };
     look: Record<'names' | 'frames' | 'inset' | 'push', { value: boolean }>;
   };
-  actions: { dismiss(id: number): void; cancelReading(): void; compare(list: readonly object[]): void };
+  actions: { dismiss(id: number): void; cancelReading(): void; seek(time: number): void; compare(list: readonly object[]): void };
   kept: { keep(): void; remove(id: number): void };
   comparison: { outcomes: { value: readonly { state: string }[] } };
 }

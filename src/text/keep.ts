@@ -3,7 +3,10 @@ export const text = {
   unusable: 'What was kept of your last work can\u2019t be used',
   unusableHint: 'The page opens with its first case. What is stored stays until you edit something.',
   notKept: 'Your work stays in this tab only',
-  notKeptHint: (reason: string) => `This browser stores nothing for the page (${reason}). Save the scenario as a file to keep it.`,
+  notKeptHint: (reason: string) =>
+    reason === 'QuotaExceededError'
+      ? 'The storage that this browser has for the page is full. Free some of it, or save the scenario as a file to keep it.'
+      : `This browser stores nothing for the page (${reason}). Save the scenario as a file to keep it.`,
   fileGone: (name: string) => `${name} is not kept`,
   fileGoneHint: (mb: number) => `Files of up to ${mb} MB are kept in this browser; open it again. Your scenario is as you left it.`,
   fileLarge: (name: string) => `${name} is open, but will not be kept`,

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, openPage, VIEWPORT, workerEvents } from './helpers.ts';
+import { chooseCase, COORDINATES, csvOf, drop, ended, numberIn, openPage, pause, seek, type as typeInto, VIEWPORT, withoutScene, workerEvents } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -83,5 +83,128 @@ test('a lost graphics context comes back; without WebGL files and numbers still 
   await expect(bare.getByTestId('run-state')).toHaveAttribute('data-reason', 'touchdown');
   await bare.getByTestId('tool-now').click();
   await expect(bare.getByTestId('now-alpha')).not.toBeEmpty();
+  expect(errors).toEqual([]);
+});
+
+interface Clock {
+  /** No frames are drawn while it holds. */
+  hold(): void;
+  /** Frames go on; by the clock so much later (ms) than when they stopped. */
+  release(later: number): void;
+  /** Frames asked for and not drawn. */
+  waiting(): number;
+}
+
+/** The page's clock and frames in the test's hands: what a hidden tab and a machine that sleeps do to them. */
+function holdClock(): void {
+  const [frame, cancel, now] = [window.requestAnimationFrame.bind(window), window.cancelAnimationFrame.bind(window), performance.now.bind(performance)];
+  let held: Map<number, FrameRequestCallback> | null = null;
+  let [ahead, next] = [0, -1];
+  performance.now = () => now() + ahead;
+  window.requestAnimationFrame = (callback) => {
+    if (!held) return frame((time) => callback(time + ahead));
+    held.set(next, callback);
+    return next--;
+  };
+  window.cancelAnimationFrame = (id) => (id < 0 ? void held?.delete(id) : cancel(id));
+  const clock: Clock = {
+    hold: () => void (held ??= new Map()),
+    release(later) {
+      const waiting = held;
+      held = null;
+      ahead += later;
+      for (const callback of waiting?.values() ?? []) window.requestAnimationFrame(callback);
+    },
+    waiting: () => held?.size ?? 0,
+  };
+  Object.assign(window, { heldClock: clock });
+}
+
+const clockOf = <T>(page: Page, act: (clock: Clock) => T): Promise<T> => page.evaluate(`(${act.toString()})(window.heldClock)`);
+
+/** Hides the tab, or shows it again, as the browser tells the page. */
+const hide = (page: Page, hidden: boolean): Promise<void> =>
+  page.evaluate((now) => {
+    Object.defineProperty(document, 'visibilityState', { configurable: true, get: () => (now ? 'hidden' : 'visible') });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }, hidden);
+
+test('a tab that was hidden and a machine that slept: playing goes on from where it was, nothing spins, nothing is lost', async ({ page }) => {
+  const watch = await openPage(page, holdClock);
+  await seek(page, 2);
+  await page.keyboard.press('l');
+  await expect.poll(() => numberIn(page, 'time')).toBeGreaterThan(2.1);
+  await typeInto(page, 'duration', '9');
+  await clockOf(page, (clock) => clock.hold());
+  await hide(page, true);
+  // What was typed last is stored before the tab may be taken away.
+  expect(await page.evaluate(() => localStorage.getItem('ripstik.work'))).toContain('"duration":9');
+  await page.waitForTimeout(400);
+  expect(await clockOf(page, (clock) => clock.waiting()), 'frames asked for').toBeLessThan(10);
+  const before = await numberIn(page, 'time');
+  await clockOf(page, (clock) => clock.release(3_600_000));
+  await hide(page, false);
+  await expect.poll(() => numberIn(page, 'time')).toBeGreaterThan(before);
+  await expect(page.getByTestId('play')).toHaveAccessibleName('Pause');
+  expect(await numberIn(page, 'time'), 'no jump by an hour, nor to the end').toBeLessThan(before + 4);
+  // The speed that is held is the one that is seen, not the one of an hour.
+  await page.waitForTimeout(1300);
+  expect(await page.locator('.held').allInnerTexts()).not.toContain(expect.stringMatching(/0[.,]00/));
+  expect(watch.errors).toEqual([]);
+});
+
+test('a run that is computed while the tab is hidden is all there; one that is pushed by hand waits, and does not make up an hour', async ({ page }) => {
+  const watch = await openPage(page, holdClock);
+  await typeInto(page, 'duration', '3000');
+  await clockOf(page, (clock) => clock.hold());
+  await page.getByTestId('run').click();
+  await expect.poll(async () => (await workerEvents(page)).filter((e) => e.run === 2 && e.type === 'rows').at(-1)?.time ?? 0).toBeGreaterThan(20);
+  await clockOf(page, (clock) => clock.release(3_600_000));
+  await page.getByTestId('cancel').click();
+  await ended(page, 2, 'cancelled');
+  expect(await numberIn(page, 'end-time')).toBeGreaterThan(20);
+
+  await chooseCase(page, 'balanced');
+  await ended(page, 3, 'end');
+  await pause(page);
+  await seek(page, 1);
+  await page.keyboard.press('g');
+  await page.getByTestId('push-ahead').click();
+  const reached = async (): Promise<number> => (await workerEvents(page)).filter((e) => e.run === 4 && e.type === 'rows').at(-1)?.time ?? 0;
+  await expect.poll(reached).toBeGreaterThan(1.2);
+  await clockOf(page, (clock) => clock.hold());
+  await page.waitForTimeout(300);
+  const [shown, computed] = [await numberIn(page, 'time'), await reached()];
+  expect(computed, 'no further than it is seen').toBeLessThan(shown + 1);
+  await clockOf(page, (clock) => clock.release(3_600_000));
+  await expect.poll(reached).toBeGreaterThan(computed);
+  expect(await numberIn(page, 'time')).toBeLessThan(shown + 4);
+  await page.getByTestId('push-none').click();
+  await ended(page, 4, 'end');
+  expect(watch.errors).toEqual([]);
+});
+
+test('storage that becomes full: it is said once, the work goes on, and what was stored before is still there', async ({ page }) => {
+  await withoutScene(page);
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  await page.goto('./');
+  await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
+  await typeInto(page, 'duration', '3');
+  await expect.poll(() => page.evaluate(() => localStorage.getItem('ripstik.work'))).toContain('"duration":3');
+  await page.evaluate(() => {
+    const full = (): never => { throw new DOMException('', 'QuotaExceededError'); };
+    Storage.prototype.setItem = full;
+    IDBObjectStore.prototype.put = full;
+  });
+  await typeInto(page, 'duration', '4');
+  await expect(page.getByTestId('message')).toContainText('is full');
+  const rows = [0, 1, 2].map((t) => ({ ...Object.fromEntries(COORDINATES.map((name) => [name, 0.1 * t])), t }));
+  await drop(page, 'mine.csv', csvOf(rows, ['t', ...COORDINATES]));
+  await expect(page.getByTestId('rows')).toHaveText('3 rows');
+  await page.getByTestId('run').click();
+  await expect(page.getByTestId('end-time')).toHaveText(/^4\.000\s/);
+  await expect(page.getByTestId('message')).toHaveCount(1);
+  expect(await page.evaluate(() => localStorage.getItem('ripstik.work'))).toContain('"duration":3');
   expect(errors).toEqual([]);
 });

@@ -36,7 +36,8 @@ export async function open(page: Page, tool: (typeof TOOLS)[number]): Promise<vo
 
 /** Nothing stands over the panel of the experiment. */
 export async function fold(page: Page): Promise<void> {
-  if (await id(page, 'fold-right').isVisible()) await id(page, 'fold-right').click();
+  const button = page.locator('[data-testid=fold-right]:visible');
+  if ((await button.count()) > 0) await button.click();
 }
 
 export async function choose(page: Page, caseId: string): Promise<void> {
@@ -151,7 +152,8 @@ export const acts: Readonly<Record<string, Act>> = {
     await id(page, 'case-menu').click();
     await id(page, 'gallery-search').fill(chance.of(['wheel', 'LQR', 'zebra', 'fig', '']));
     await some(page, chance);
-    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape'); // empties the search, if there is something in it
+    if (await id(page, 'gallery').isVisible()) await page.keyboard.press('Escape');
     await expect(id(page, 'gallery')).toHaveCount(0);
   },
   async 'export CSV'(page) {
@@ -221,6 +223,7 @@ export const acts: Readonly<Record<string, Act>> = {
   },
   look: (page, chance) => pressKeys(page, chance, ['1', '2', '3', '4', '5', '6', 'n', 'a', 'p', 'f'], 5),
   async switches(page, chance) {
+    await fold(page);
     for (const name of ['toggle-forces', 'toggle-trails', 'toggle-follow']) if (chance.next() < 0.5 && (await id(page, name).isVisible())) await id(page, name).click();
   },
   async weights(page, chance) {

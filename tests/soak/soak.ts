@@ -55,6 +55,7 @@ export class Soak {
   /** @throws when anything went wrong, with the name of the act */
   async act(name: string, chance: Chance): Promise<void> {
     const { page } = this;
+    const from = Date.now();
     try {
       await acts[name]!(page, chance);
     } catch (error) {
@@ -64,6 +65,7 @@ export class Soak {
     for (let k = 0; k < 3 && (await page.locator('dialog[open]').count()) > 0; k++) await page.keyboard.press('Escape');
     await page.evaluate(() => window.ripstikApp.state.messages.value.forEach(({ id }) => window.ripstikApp.actions.dismiss(id)));
     await this.check(name);
+    if (process.env['SOAK_SAY']) console.log(`${name}: ${Date.now() - from} ms`);
   }
 
   private async check(name: string): Promise<void> {

@@ -71,5 +71,5 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
 }
 
 function Legend({ runs }: { runs: readonly ShownRun[] }) {
-  return <span class="legend">{runs.map((run) => <span key={run.key} class="legend-entry"><Swatch style={run.style} />{run.name}</span>)}</span>;
+  return <span class="legend">{runs.map((run) => <span key={run.key} class="legend-entry" title={run.name}><Swatch style={run.style} /><span>{run.name}</span></span>)}</span>;
 }

@@ -155,22 +155,24 @@ test('a tab that was hidden and a machine that slept: playing goes on from where
 
 test('a run that is computed while the tab is hidden is all there; one that is pushed by hand waits, and does not make up an hour', async ({ page }) => {
   const watch = await openPage(page, holdClock);
-  await typeInto(page, 'duration', '3000');
+  await chooseCase(page, 'hanging');
+  await ended(page, 2, 'end');
+  await typeInto(page, 'duration', '100000');
   await clockOf(page, (clock) => clock.hold());
   await page.getByTestId('run').click();
-  await expect.poll(async () => (await workerEvents(page)).filter((e) => e.run === 2 && e.type === 'rows').at(-1)?.time ?? 0).toBeGreaterThan(20);
+  await expect.poll(async () => (await workerEvents(page)).filter((e) => e.run === 3 && e.type === 'rows').at(-1)?.time ?? 0).toBeGreaterThan(20);
   await clockOf(page, (clock) => clock.release(3_600_000));
   await page.getByTestId('cancel').click();
-  await ended(page, 2, 'cancelled');
+  await ended(page, 3, 'cancelled');
   expect(await numberIn(page, 'end-time')).toBeGreaterThan(20);
 
   await chooseCase(page, 'balanced');
-  await ended(page, 3, 'end');
+  await ended(page, 4, 'end');
   await pause(page);
   await seek(page, 1);
   await page.keyboard.press('g');
   await page.getByTestId('push-ahead').click();
-  const reached = async (): Promise<number> => (await workerEvents(page)).filter((e) => e.run === 4 && e.type === 'rows').at(-1)?.time ?? 0;
+  const reached = async (): Promise<number> => (await workerEvents(page)).filter((e) => e.run === 5 && e.type === 'rows').at(-1)?.time ?? 0;
   await expect.poll(reached).toBeGreaterThan(1.2);
   await clockOf(page, (clock) => clock.hold());
   await page.waitForTimeout(300);
@@ -180,7 +182,7 @@ test('a run that is computed while the tab is hidden is all there; one that is p
   await expect.poll(reached).toBeGreaterThan(computed);
   expect(await numberIn(page, 'time')).toBeLessThan(shown + 4);
   await page.getByTestId('push-none').click();
-  await ended(page, 4, 'end');
+  await ended(page, 5, 'end');
   expect(watch.errors).toEqual([]);
 });
 

@@ -100,7 +100,8 @@ export class Soak {
     await page.getByTestId('scrubber').fill('3');
     for (const on of [true, false]) {
       await page.evaluate((value) => {
-        const { state: { look, showForces } } = window.ripstikApp;
+        const { state: { look, showForces, theme } } = window.ripstikApp;
+        theme.value = value ? 'dark' : 'light'; // a few labels that are out of sight are kept in one theme
         for (const one of [showForces, look.names, look.frames, look.inset]) one.value = value;
         look.push.value = false;
       }, on);

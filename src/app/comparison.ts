@@ -29,6 +29,9 @@ export interface Outcome {
   trajectory: Trajectory | null;
 }
 
+/** Numbers held of all methods together (192 MB): beyond them rows are thinned. */
+const MOST_COMPARED = 24e6;
+
 /** Runs one scenario with several methods, each in a worker of its own, as many at a time as there are cores. */
 export class Comparison {
   readonly outcomes: Signal<readonly Outcome[]> = signal([]);
@@ -74,7 +77,7 @@ export class Comparison {
     let trajectory: Trajectory | null = null;
     client.start(scenario, {
       started: (columns) => {
-        trajectory = new Trajectory(columns);
+        trajectory = new Trajectory(columns, 1024, Math.floor(MOST_COMPARED / (columns.length * this.outcomes.peek().length)));
         this.update(index, { state: 'computing', trajectory });
       },
       rows: (columns, rows, time, counts, seconds) => {

@@ -4,7 +4,7 @@ import type { Trail } from './contract.ts';
 /** Points closer together than this (m) are one point: a wheel that stands still adds nothing. */
 const SPACING = 0.003;
 /** Points kept of one track: of a longer one every second goes, as often as it takes. An hour's ride is drawn like a minute's. */
-export const MOST_POINTS = 131_072;
+export const MOST_POINTS = 32_768;
 /** A track this little above its points (m) is not swallowed by the ground. */
 const LIFT = 0.001;
 

@@ -3,7 +3,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
 import { chooseCase, ended, measured, medianOf, numberIn, openPage, pause, type as typeInto, VIEWPORT, workerEvents } from '../e2e/helpers.ts';
 import { bigTable } from './bigFiles.ts';
-import { Gauges, longTasks, noteLongTasks, residentBytes, slowScripts, watchPeak } from './gauges.ts';
+import { Gauges, longTasks, noteLongTasks, residentBytes, slowScripts, watchPeak, watchTasks } from './gauges.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -50,6 +50,7 @@ test('100 MB with 21 columns plays', async ({ page }) => {
     const before = await longTasks(page);
     await slowScripts(page);
     const peak = watchPeak(() => residentBytes());
+    const busiest = await watchTasks(page);
     const from = Date.now();
     await page.getByTestId('open-file').setInputFiles(file.path);
     await expect(page.getByTestId('reading')).toBeVisible();
@@ -58,6 +59,7 @@ test('100 MB with 21 columns plays', async ({ page }) => {
     const seconds = (Date.now() - from) / 1000;
     await expect(page.getByTestId('play')).toHaveAccessibleName('Pause');
     await page.waitForTimeout(8000);
+    const cpu = await busiest();
     const loading = await longTasks(page);
     const slow = await slowScripts(page);
     expect(await numberIn(page, 'time')).toBeGreaterThan(0.5);
@@ -69,7 +71,7 @@ test('100 MB with 21 columns plays', async ({ page }) => {
     keep('table-100', {
       what: `a CSV file of ${MB(file.bytes)}, 21 columns, ${file.rows.toLocaleString('en')} rows`,
       became: `plays after ${seconds.toFixed(1)} s`,
-      tasks: `${told(loading)} (scrubbing after: ${told(scrubbing)}; before the file: ${told(before)})`,
+      tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(loading)} (scrubbing after: ${told(scrubbing)}; before the file: ${told(before)})`,
       seeks: `while it loads ${seeks(during)}; then ${seeks(after)}`,
       memory: `${MB(buffers)} of columns, page at most ${MB(peak())}`,
     });
@@ -101,18 +103,20 @@ test('1 GB is read with progress, and cancelled', async ({ page }) => {
     expect(await page.getByTestId('end-time').innerText()).toBe(stage);
     const cancelled = await gauges.read();
 
+    const busiest = await watchTasks(page);
     const from = Date.now();
     await page.getByTestId('open-file').setInputFiles(file.path);
     await expect(page.getByTestId('rows')).toHaveText(`${file.rows.toLocaleString('en')} rows`, { timeout: 300_000 });
     const seconds = (Date.now() - from) / 1000;
     await page.waitForTimeout(3000);
+    const cpu = await busiest();
     const tasks = await longTasks(page);
     await pause(page);
     const after = await scrubbed(page);
     keep('table-1000', {
       what: `a CSV file of ${MB(file.bytes)}, 21 columns, ${file.rows.toLocaleString('en')} rows`,
       became: `cancelled after a tenth within ${waited.toFixed(0)} ms, the work before stayed, ${MB(cancelled.buffers)} of buffers left; then read, plays after ${seconds.toFixed(0)} s`,
-      tasks: told(tasks),
+      tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)}`,
       seeks: `while it loads ${seeks(during)}; then ${seeks(after)}`,
       memory: `${MB((await gauges.memory()).buffers)} of columns, page at most ${MB(peak())}`,
     });
@@ -133,6 +137,7 @@ test('an hour at 1 kHz', async ({ page }) => {
   await typeInto(page, 'duration', process.env['BIG_DURATION'] ?? '3600');
   await noteLongTasks(page);
   const peak = watchPeak(() => residentBytes());
+  const busiest = await watchTasks(page);
   const from = Date.now();
   await page.getByTestId('run').click();
   await expect.poll(async () => (await workerEvents(page)).filter((e) => e.run === 3 && e.type === 'rows').at(-1)?.time ?? 0, { timeout: 600_000 }).toBeGreaterThan(600);
@@ -140,6 +145,7 @@ test('an hour at 1 kHz', async ({ page }) => {
   await page.getByTestId('play').click();
   await expect.poll(async () => (await workerEvents(page)).some((e) => e.run === 3 && e.type === 'ended'), { timeout: 1_800_000, intervals: [1000] }).toBe(true);
   const seconds = (Date.now() - from) / 1000;
+  const cpu = await busiest();
   const tasks = await longTasks(page);
   const slow = await slowScripts(page);
   const rows = (await workerEvents(page)).filter((e) => e.run === 3 && e.type === 'rows').reduce((sum, e) => sum + e.rows, 0);
@@ -150,7 +156,7 @@ test('an hour at 1 kHz', async ({ page }) => {
   keep('hour', {
     what: `an hour at 1 kHz, ${rows.toLocaleString('en')} rows computed`,
     became: `computed in ${seconds.toFixed(0)} s, plays meanwhile`,
-    tasks: `${told(tasks)} (scrubbing after: ${told(scrubbing)})`,
+    tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)} (scrubbing after: ${told(scrubbing)})`,
     seeks: `while it comes ${seeks(during)}; then ${seeks(after)}`,
     memory: `${MB((await gauges.memory()).buffers)} of columns, page at most ${MB(peak())}`,
   });

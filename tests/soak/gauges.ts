@@ -96,3 +96,15 @@ export async function slowScripts(page: Page): Promise<string[]> {
   const list = await page.evaluate(() => (window as unknown as { soakFrames: { ms: number; what: string }[] }).soakFrames.splice(0));
   return list.sort((a, b) => b.ms - a.ms).slice(0, 6).map(({ ms, what }) => `${ms.toFixed(0)} ms ${what}`);
 }
+
+/** CPU time of the main thread's longest task from now until the answer is called, ms: what the page itself takes, however busy the machine. */
+export async function watchTasks(page: Page): Promise<() => Promise<number>> {
+  const browser = page.context().browser()!;
+  await browser.startTracing(page, { categories: ['-*', 'toplevel', '__metadata'] });
+  return async () => {
+    interface Event { ph: string; name: string; pid: number; tid: number; ts: number; dur?: number; tdur?: number; args: { name?: string } }
+    const { traceEvents } = JSON.parse((await browser.stopTracing()).toString()) as { traceEvents: Event[] };
+    const main = new Set(traceEvents.filter((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain').map((e) => `${e.pid} ${e.tid}`));
+    return Math.max(0, ...traceEvents.filter((e) => e.ph === 'X' && main.has(`${e.pid} ${e.tid}`)).map((e) => e.tdur ?? 0)) / 1000;
+  };
+}

@@ -13,6 +13,9 @@ export class Trajectory {
   /** One row in so many is kept. */
   stride = 1;
   private data: Float64Array[];
+  /** Every second row of `data`, made little by little before they are all that is kept: thinning at once would stop the page. */
+  private thinner: Float64Array[] | null = null;
+  private prepared = 0;
   private count = 0;
   private seen = 0;
   /** The last row stands between two kept ones, until the next comes. */
@@ -84,6 +87,8 @@ export class Trajectory {
       const taken = Math.min(rows - from, room * this.stride);
       this.take(chunk, from, from + taken);
       from += taken;
+      // As many rows as came: half of all are ready when there is no more room.
+      if (2 * this.settled > this.most) this.prepare(this.prepared + taken);
     }
   }
 
@@ -110,17 +115,30 @@ export class Trajectory {
     this.loose = false;
   }
 
-  /** Lets every second row go, in place. */
+  /** Copies every second row, up to so many of them. */
+  private prepare(rows: number): void {
+    const room = this.data[0]!.length;
+    const to = Math.min(rows, Math.ceil(this.settled / 2));
+    this.thinner ??= this.data.map(() => new Float64Array(room));
+    for (let c = 0; c < this.data.length; c++) everySecond(this.data[c]!, this.thinner[c]!, this.prepared, to);
+    this.prepared = Math.max(this.prepared, to);
+  }
+
+  /** Lets every second row go. */
   private thin(): void {
-    const kept = Math.ceil(this.count / 2);
-    for (const column of this.data) for (let k = 1; k < kept; k++) column[k] = column[2 * k]!;
-    this.count = kept;
+    this.prepare(this.count);
+    this.data = this.thinner!;
+    this.count = this.prepared;
+    this.thinner = null;
+    this.prepared = 0;
     this.stride *= 2;
     this.generation++;
   }
 
   private reserve(rows: number): void {
     if (rows <= this.data[0]!.length) return;
+    this.thinner = null;
+    this.prepared = 0;
     const capacity = Math.max(rows, 2 * this.data[0]!.length);
     for (let c = 0; c < this.data.length; c++) {
       const grown = new Float64Array(capacity);
@@ -141,4 +159,8 @@ export class Trajectory {
     }
     return low;
   }
+}
+
+function everySecond(of: Float64Array, into: Float64Array, from: number, to: number): void {
+  for (let k = from; k < to; k++) into[k] = of[2 * k]!;
 }

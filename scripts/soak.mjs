@@ -28,7 +28,7 @@ function write(name, lines) {
 function bigTable(folder) {
   const rows = readdirSync(folder).sort().map((name) => readJson(join(folder, name)));
   const keys = ['what', 'became', 'tasks', 'seeks', 'memory'];
-  return ['| what | what became of it | tasks over 50 ms | from a seek to its frame | memory |', '|---|---|---|---|---|', ...rows.map((row) => `| ${keys.map((key) => row[key]).join(' | ')} |`), '', '`npm run big`'];
+  return ['| what | what became of it | tasks over 50 ms | from a seek to its picture | memory |', '|---|---|---|---|---|', ...rows.map((row) => `| ${keys.map((key) => row[key]).join(' | ')} |`), '', '`npm run big`'];
 }
 
 main(async (args) => {

@@ -20,7 +20,7 @@ test(`soak: ${minutes} minutes from seed ${seed}`, async ({ page }) => {
   // Every act once: what is loaded and kept from then on is the page's own.
   for (const name of names) await soak.act(name, chance);
   await soak.base();
-  await soak.base();
+  console.log('start', JSON.stringify(await soak.base()));
   const peak = watchPeak(() => residentBytes(), 500);
   const from = Date.now();
   for (let next = from + EVERY_MS; Date.now() < from + 60_000 * minutes; ) {

@@ -76,17 +76,38 @@ export class Soak {
     expect(wrong, `after ${name}, ${JSON.stringify(this.counts)}`).toEqual({ errors: [], foreign: [], violations: [], words: [] });
   }
 
+  /** The results of the last sweep stay in their table: at the base they are three. */
+  private async smallSweep(): Promise<void> {
+    const { page } = this;
+    const id = (name: string) => page.getByTestId(name);
+    await fold(page);
+    await choose(page, 'released');
+    await settled(page);
+    await open(page, 'compare');
+    await id('compare-sweep').click();
+    for (const [field, value] of [['sweep-from-0', '1'], ['sweep-to-0', '3'], ['sweep-count-0', '3']] as const) {
+      if (field === 'sweep-from-0') await id('sweep-axis-0').selectOption('initial.X_dot');
+      await id(field).fill(value);
+    }
+    await id('sweep-run').click();
+    await expect(id('sweep-row-2')).toContainText('touchdown');
+    await expect(id('sweep-standing')).toHaveAttribute('data-state', 'ended');
+    await id('compare-runs').click();
+  }
+
   /** Back to where a visit begins, with every tool seen and closed, and everything once drawn. */
   async base(): Promise<Reading> {
     const { page } = this;
     for (const tool of TOOLS) await open(page, tool);
     await page.waitForTimeout(300);
+    await this.smallSweep();
     await fold(page);
     await choose(page, 'ridden');
     await settled(page);
     await page.keyboard.press('k');
     await page.evaluate(() => {
       const { state, actions, kept } = window.ripstikApp;
+      window.workerEvents.length = 0; // the rig's own record
       actions.compare([{ id: 'a', label: 'a', method: {} }]);
       Object.assign(state.plots, { value: { own: null, degrees: true, wrapped: false } });
       state.drafts.value = new Map();
@@ -117,8 +138,11 @@ export class Soak {
   }
 }
 
-/** Above the start: of script objects, of buffers (bytes), of nodes and listeners. Workers and what the graphics card holds come back exactly. */
-export const TOLERANCE = { heap: 4e6, buffers: 8e6, nodes: 400, listeners: 100 } as const;
+/**
+ * Above the start: of script objects, of buffers (bytes), of nodes and listeners. Workers and what the graphics card holds come back exactly.
+ * The nodes of one tool's page, some 2,400, stay until another takes their place: their number does not grow.
+ */
+export const TOLERANCE = { heap: 6e6, buffers: 8e6, nodes: 3500, listeners: 100 } as const;
 
 /** @throws when something did not come back */
 export function expectReturned(start: Reading, end: Reading): void {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Trail } from '../../src/scene/contract.ts';
-import { countUntil, TrackBuffer } from '../../src/scene/trackBuffer.ts';
+import { MOST_POINTS, countUntil, TrackBuffer } from '../../src/scene/trackBuffer.ts';
 
 /** A track along x at the given speed (m/s) with `count` points 10 ms apart. */
 function trail(count: number, speed = 1, room = count): Trail {
@@ -63,4 +63,24 @@ describe('what the graphics card is sent of a track', () => {
     expect(buffer.points.subarray(0, 27).every(Number.isFinite)).toBe(true);
     expect(broken.points[12]).toBeNaN(); // what is given is never changed
   });
+});
+
+test('a track as long as an hour keeps so many points, from its first to nearly its last, in order', () => {
+  const count = 300_000;
+  const times = Float64Array.from({ length: count }, (_, k) => k / 100);
+  const points = new Float32Array(3 * count);
+  for (let k = 0; k < count; k++) points.set([3 * Math.cos(k / 300), 3 * Math.sin(k / 300), 0], 3 * k);
+  const buffer = new TrackBuffer();
+  for (let seen = 7_000; seen <= count + 6_999; seen += 7_000) {
+    const change = buffer.take({ part: 'front', points, times, count: Math.min(seen, count) });
+    expect(change).not.toBeNull();
+    expect(buffer.count).toBeLessThanOrEqual(MOST_POINTS);
+  }
+  expect(buffer.count).toBeGreaterThan(MOST_POINTS / 4);
+  const kept = [...buffer.times.subarray(0, buffer.count)];
+  expect(kept[0]).toBe(0);
+  expect(kept.at(-1)!).toBeGreaterThan(0.999 * times.at(-1)!);
+  expect(kept.every((t, k) => k === 0 || t > kept[k - 1]!)).toBe(true);
+  const radii = kept.map((_, k) => Math.hypot(buffer.points[3 * k]!, buffer.points[3 * k + 1]!));
+  expect(radii.every((r) => Math.abs(r - 3) < 1e-4)).toBe(true);
 });

@@ -1,21 +1,11 @@
 // `npm run big`: a table of 100 MB, one of 1 GB, and an hour at 1 kHz, in the built page; what is measured goes into docs/robustness.md.
-import { mkdirSync, writeFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, ended, measured, medianOf, numberIn, openPage, pause, type as typeInto, VIEWPORT, workerEvents } from '../e2e/helpers.ts';
+import { chooseCase, ended, medianOf, numberIn, openPage, pause, type as typeInto, VIEWPORT, workerEvents } from '../e2e/helpers.ts';
 import { bigTable } from './bigFiles.ts';
+import { keep, MB, told } from './figures.ts';
 import { Gauges, longTasks, noteLongTasks, residentBytes, slowScripts, watchPeak, watchTasks } from './gauges.ts';
 
 test.use({ viewport: VIEWPORT });
-
-const MB = (bytes: number): string => `${(bytes / 1e6).toFixed(0)} MB`;
-
-function keep(id: string, line: Record<string, string>): void {
-  mkdirSync('.cache/big', { recursive: true });
-  writeFileSync(`.cache/big/${id}.json`, JSON.stringify(line));
-  measured(`${id}: ${JSON.stringify(line, null, 1)}`);
-}
-
-const told = (tasks: readonly number[]): string => (tasks.length === 0 ? 'none' : `${tasks.length}, longest ${tasks[0]!.toFixed(0)} ms`);
 
 interface Seek {
   /** Until the page had put everything in place, and until the picture was drawn, ms. */

@@ -1,19 +1,12 @@
 // Part of `npm run big`: what the page does while a sweep runs, and ten million points in the plots.
-import { mkdirSync, writeFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, ended, measured, medianOf, openPage, pause, VIEWPORT } from '../e2e/helpers.ts';
+import { chooseCase, ended, medianOf, openPage, pause, VIEWPORT } from '../e2e/helpers.ts';
 import { bigTable } from './bigFiles.ts';
-import { Gauges, longTasks, noteLongTasks, slowScripts } from './gauges.ts';
+import { keep, MB, told } from './figures.ts';
+import { Gauges, longTasks, noteLongTasks, slowScripts, watchTasks } from './gauges.ts';
 
 test.use({ viewport: VIEWPORT });
 
-function keep(id: string, line: Record<string, string>): void {
-  mkdirSync('.cache/big', { recursive: true });
-  writeFileSync(`.cache/big/${id}.json`, JSON.stringify(line));
-  measured(`${id}: ${JSON.stringify(line, null, 1)}`);
-}
-
-const told = (tasks: readonly number[]): string => (tasks.length === 0 ? 'none' : `${tasks.length}, longest ${tasks[0]!.toFixed(0)} ms`);
 const waits = (list: readonly number[]): string => `median ${medianOf(list).toFixed(0)} ms, longest ${Math.max(...list).toFixed(0)} ms`;
 
 test('a sweep of 200 runs', async ({ page }) => {
@@ -27,13 +20,15 @@ test('a sweep of 200 runs', async ({ page }) => {
   await page.getByTestId('sweep-axis-0').selectOption('initial.X_dot');
   for (const [field, value] of [['from', '1'], ['to', '3'], ['count', '200']] as const) await page.getByTestId(`sweep-${field}-0`).fill(value);
   await noteLongTasks(page);
+  const busiest = await watchTasks(page);
   const from = Date.now();
   await page.getByTestId('sweep-run').click();
   await expect(page.getByTestId('sweep-standing')).toHaveAttribute('data-state', 'ended', { timeout: 300_000 });
   const seconds = (Date.now() - from) / 1000;
+  const cpu = await busiest();
   const tasks = await longTasks(page);
   console.log(await slowScripts(page));
-  keep('sweep', { what: 'a sweep of 200 runs over the speed, in all workers', became: `ended after ${seconds.toFixed(1)} s`, tasks: told(tasks), seeks: '–', memory: `${((await gauges.memory()).buffers / 1e6).toFixed(0)} MB of columns` });
+  keep('sweep', { what: 'a sweep of 200 runs over the speed, in all workers', became: `ended after ${seconds.toFixed(1)} s`, tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)}`, seeks: '–', memory: `${MB((await gauges.memory()).buffers)} of columns` });
   expect(watch).toEqual({ errors: [], foreign: [] });
 });
 
@@ -75,6 +70,7 @@ test('ten million points in the plots', async ({ page }) => {
     await page.evaluate(() => window.ripstikApp.actions.seek(200));
     await page.waitForTimeout(2000);
     await noteLongTasks(page);
+    const busiest = await watchTasks(page);
     const zooms = await pressed(page, ['0', ...Array.from({ length: 24 }, () => '+'), ...Array.from({ length: 12 }, () => '-'), '0', '+', '0', '+']);
     const zooming = await longTasks(page);
     console.log(await slowScripts(page));
@@ -91,13 +87,14 @@ test('ten million points in the plots', async ({ page }) => {
       }
       return list;
     });
+    const cpu = await busiest();
     const seeking = await longTasks(page);
     keep('points', {
       what: `${(points / 1e6).toFixed(1)} million points in one plot: ${shown} curves of ${file.rows.toLocaleString('en')} rows`,
       became: `from a key that zooms to its second frame ${waits(zooms)}`,
-      tasks: `zooming ${told(zooming)}; seeking ${told(seeking)}`,
+      tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock: zooming ${told(zooming)}, seeking ${told(seeking)}`,
       seeks: waits(seeks),
-      memory: `${((await gauges.memory()).buffers / 1e6).toFixed(0)} MB of columns`,
+      memory: `${MB((await gauges.memory()).buffers)} of columns`,
     });
     expect(watch).toEqual({ errors: [], foreign: [] });
   } finally {

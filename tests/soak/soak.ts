@@ -140,7 +140,7 @@ export class Soak {
 
 /**
  * Above the start: of script objects, of buffers (bytes), of nodes and listeners. Workers and what the graphics card holds come back exactly.
- * The nodes of one tool's page, some 2,400, stay until another takes their place: their number does not grow.
+ * Some 2,400 nodes beyond the start were seen after a while, and no more with time.
  */
 export const TOLERANCE = { heap: 6e6, buffers: 8e6, nodes: 3500, listeners: 100 } as const;
 

@@ -1,3 +1,5 @@
+import { Pen } from './pen.ts';
+
 /** One curve; what is shown is x times `xFactor` against y times `yFactor`. The arrays are read, never copied. */
 export interface OverlayCurve {
   label: string;
@@ -68,10 +70,10 @@ export function drawCurve(context: CanvasRenderingContext2D, curve: OverlayCurve
   context.lineWidth = curve.width ?? 1.5;
   context.lineJoin = 'round';
   context.setLineDash(curve.dash ? [...curve.dash] : []);
-  context.beginPath();
-  if (rising && !frame.logarithmicX && curve.x.length > 4 * frame.width) tracedByColumn(context, curve, frame);
-  else tracedByPoint(context, curve, frame);
-  context.stroke();
+  const pen = new Pen(context);
+  if (rising && !frame.logarithmicX && curve.x.length > 4 * frame.width) tracedByColumn(pen, curve, frame);
+  else tracedByPoint(pen, curve, frame);
+  pen.end();
   context.setLineDash([]);
   if (curve.points) marks(context, curve, frame);
 }
@@ -85,7 +87,7 @@ const scales = ({ xFactor, yFactor }: OverlayCurve, { left, top, width, height, 
   };
 };
 
-function tracedByPoint(context: CanvasRenderingContext2D, curve: OverlayCurve, frame: Frame): void {
+function tracedByPoint(pen: Pen, curve: OverlayCurve, frame: Frame): void {
   const { px, py } = scales(curve, frame);
   const { x, y } = curve;
   let lastX = NaN;
@@ -96,15 +98,15 @@ function tracedByPoint(context: CanvasRenderingContext2D, curve: OverlayCurve, f
       lastX = NaN;
       continue;
     }
-    if (Number.isNaN(lastX)) context.moveTo(a, b);
+    if (Number.isNaN(lastX)) pen.moveTo(a, b);
     else if (Math.abs(a - lastX) < 0.7 && Math.abs(b - lastY) < 0.7 && i < x.length - 1) continue;
-    else context.lineTo(a, b);
+    else pen.lineTo(a, b);
     lastX = a;
     lastY = b;
   }
 }
 
-function tracedByColumn(context: CanvasRenderingContext2D, curve: OverlayCurve, frame: Frame): void {
+function tracedByColumn(pen: Pen, curve: OverlayCurve, frame: Frame): void {
   const { px, py } = scales(curve, frame);
   const { x, y, xFactor } = curve;
   let i = Math.max(0, firstAt(x, frame.low[0] / xFactor) - 1);
@@ -124,12 +126,12 @@ function tracedByColumn(context: CanvasRenderingContext2D, curve: OverlayCurve, 
       begun = false;
       continue;
     }
-    if (begun) context.lineTo(column, py(first));
-    else context.moveTo(column, py(first));
+    if (begun) pen.lineTo(column, py(first));
+    else pen.moveTo(column, py(first));
     begun = true;
-    context.lineTo(column, py(least));
-    context.lineTo(column, py(most));
-    context.lineTo(column, py(last));
+    pen.lineTo(column, py(least));
+    pen.lineTo(column, py(most));
+    pen.lineTo(column, py(last));
   }
 }
 

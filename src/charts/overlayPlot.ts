@@ -1,5 +1,6 @@
 import { decadeTicks, linearTicks, tickText } from './axisTicks.ts';
 import { drawCurve, limitsOf, type Frame, type OverlayCurve } from './overlayCurves.ts';
+import { lineContext } from './pen.ts';
 
 export type { OverlayCurve } from './overlayCurves.ts';
 
@@ -138,7 +139,7 @@ class Overlay implements OverlayPlot {
       canvas.width = w;
       canvas.height = h;
     }
-    const context = canvas.getContext('2d')!;
+    const context = lineContext(canvas);
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, width, height);
     return context;

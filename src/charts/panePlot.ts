@@ -1,5 +1,6 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import { lineContext, Pen } from './pen.ts';
 
 /** A curve as points in the axes' units; a point that is not a number is a gap. Of any number of motions. */
 export interface PaneCurve {
@@ -28,7 +29,6 @@ export interface PanePlot {
   at(clientX: number, clientY: number): { x: number; y: number };
   /** The area of the curves, for pointers. */
   readonly over: HTMLElement;
-  readonly canvas: HTMLCanvasElement;
   /** Width of the area of the curves, CSS pixels. */
   readonly width: number;
   resize(width: number, height: number): void;
@@ -39,13 +39,14 @@ export interface PanePlot {
 const FINE = 0.4;
 const FONT = '11px system-ui, sans-serif';
 
-/** Axes by uPlot, curves drawn into them: also those that turn back on themselves. */
+/** Axes by uPlot, curves drawn over them on a canvas of their own: also those that turn back on themselves. */
 export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, equal }: PaneOptions): PanePlot {
   let curves: readonly PaneCurve[] = [];
   const ranges: { x: Range; y: Range } = { x: [0, 1], y: [0, 1] };
   const cursor = document.createElement('div');
   cursor.className = 'pane-cursor';
   const dotsBox = document.createElement('div');
+  const sheet = Object.assign(document.createElement('canvas'), { className: 'pane-curves' });
   const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: FONT, labelFont: FONT, labelSize: 15 };
   const typeset = (_: uPlot, at: number[]): string[] => at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
   const plot = new uPlot(
@@ -60,11 +61,12 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
         { ...axis, label: yLabel, size: 46, values: typeset },
       ],
       series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
-      hooks: { draw: [(u) => strokeAll(u, curves)] },
+      hooks: { draw: [(u) => strokeAll(u, sheet, curves)] },
     },
     [[0, 1], [0, 0]],
     host,
   );
+  plot.over.before(sheet);
   plot.over.append(cursor, dotsBox);
   const fit = (): void => {
     if (!equal) return;
@@ -103,7 +105,6 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
       return { x: plot.posToVal(clientX - box.left, 'x'), y: plot.posToVal(clientY - box.top, 'y') };
     },
     over: plot.over,
-    canvas: plot.ctx.canvas,
     get width() {
       return plot.over.clientWidth;
     },
@@ -114,8 +115,12 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
 
 const around = ([low, high]: Range, half: number): Range => [(low + high) / 2 - half, (low + high) / 2 + half];
 
-function strokeAll(u: uPlot, curves: readonly PaneCurve[]): void {
-  const { ctx, bbox } = u;
+function strokeAll(u: uPlot, sheet: HTMLCanvasElement, curves: readonly PaneCurve[]): void {
+  const { bbox } = u;
+  // Setting a size clears.
+  sheet.width = u.ctx.canvas.width;
+  sheet.height = u.ctx.canvas.height;
+  const ctx = lineContext(sheet);
   const scale = devicePixelRatio || 1;
   // Linear axes: two numbers each.
   const [x0, y0] = [u.valToPos(0, 'x', true), u.valToPos(0, 'y', true)];
@@ -129,23 +134,23 @@ function strokeAll(u: uPlot, curves: readonly PaneCurve[]): void {
   for (const { color, dash, x, y } of curves) {
     ctx.strokeStyle = color;
     ctx.setLineDash(dash ? dash.map((d) => d * scale) : []);
-    ctx.beginPath();
-    let pen = false;
+    const pen = new Pen(ctx);
+    let down = false;
     let [lastX, lastY] = [NaN, NaN];
     for (let i = 0; i < x.length; i++) {
       const [px, py] = [x0 + xs * x[i]!, y0 + ys * y[i]!];
       if (px - px !== 0 || py - py !== 0) {
-        pen = false;
+        down = false;
         continue;
       }
-      if (!pen) ctx.moveTo(px, py);
-      else if (i === x.length - 1 || Math.abs(px - lastX) > FINE || Math.abs(py - lastY) > FINE) ctx.lineTo(px, py);
+      if (!down) pen.moveTo(px, py);
+      else if (i === x.length - 1 || Math.abs(px - lastX) > FINE || Math.abs(py - lastY) > FINE) pen.lineTo(px, py);
       else continue;
-      pen = true;
+      down = true;
       lastX = px;
       lastY = py;
     }
-    ctx.stroke();
+    pen.end();
   }
   ctx.restore();
 }

@@ -12,13 +12,13 @@ const fileName = (title: string): string => title.replace(/[^\w-]+/g, '-').repla
 
 /** As it stands, on the page's surface. */
 export function savePng(host: HTMLElement, title: string): void {
-  const drawn = host.querySelector('canvas');
-  if (!drawn) return;
-  const canvas = Object.assign(document.createElement('canvas'), { width: drawn.width, height: drawn.height });
+  const sheets = [...host.querySelectorAll('canvas')];
+  if (!sheets[0]) return;
+  const canvas = Object.assign(document.createElement('canvas'), { width: sheets[0].width, height: sheets[0].height });
   const context = canvas.getContext('2d')!;
   context.fillStyle = getComputedStyle(host).getPropertyValue('--surface').trim();
   context.fillRect(0, 0, canvas.width, canvas.height);
-  context.drawImage(drawn, 0, 0);
+  for (const sheet of sheets) context.drawImage(sheet, 0, 0);
   canvas.toBlob((blob) => {
     if (blob) download(`${fileName(title)}.png`, [blob], 'image/png');
   });

@@ -70,7 +70,7 @@ export function drawCurve(context: CanvasRenderingContext2D, curve: OverlayCurve
   context.lineWidth = curve.width ?? 1.5;
   context.lineJoin = 'round';
   context.setLineDash(curve.dash ? [...curve.dash] : []);
-  const pen = new Pen(context);
+  const pen = new Pen(context, curve.dash !== undefined);
   if (rising && !frame.logarithmicX && curve.x.length > 4 * frame.width) tracedByColumn(pen, curve, frame);
   else tracedByPoint(pen, curve, frame);
   pen.end();

@@ -134,7 +134,7 @@ function strokeAll(u: uPlot, sheet: HTMLCanvasElement, curves: readonly PaneCurv
   for (const { color, dash, x, y } of curves) {
     ctx.strokeStyle = color;
     ctx.setLineDash(dash ? dash.map((d) => d * scale) : []);
-    const pen = new Pen(ctx);
+    const pen = new Pen(ctx, dash !== undefined);
     let down = false;
     let [lastX, lastY] = [NaN, NaN];
     for (let i = 0; i < x.length; i++) {

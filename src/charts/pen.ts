@@ -7,10 +7,10 @@ export class Pen {
   private readonly piece: number;
   private points = 0;
 
-  constructor(context: CanvasRenderingContext2D) {
+  /** @param dashed in one piece: a dash would begin anew with every other */
+  constructor(context: CanvasRenderingContext2D, dashed: boolean) {
     this.context = context;
-    // A dash would begin anew with every piece.
-    this.piece = context.getLineDash().length > 0 ? Infinity : PIECE;
+    this.piece = dashed ? Infinity : PIECE;
     context.beginPath();
   }
 

@@ -6,10 +6,13 @@ import { seeded } from '../../helpers.ts';
 const curve = (x: ArrayLike<number>, y: ArrayLike<number>): OverlayCurve => ({ label: '', color: '', x, y, xFactor: 1, yFactor: 1 });
 const frame: Frame = { left: 0, top: 0, width: 200, height: 100, low: [0, -2], high: [1, 2], logarithmicX: false };
 
-/** What is drawn, as points. */
+/** What is drawn, as points; a piece of a line that goes on where the last one ended adds none. */
 function traced(c: OverlayCurve, rising: boolean): [number, number][] {
   const points: [number, number][] = [];
-  const context = new Proxy({}, { get: (_, key) => (key === 'moveTo' || key === 'lineTo' ? (x: number, y: number) => points.push([x, y]) : () => {}), set: () => true });
+  const to = (x: number, y: number): void => {
+    if (points.at(-1)?.[0] !== x || points.at(-1)?.[1] !== y) points.push([x, y]);
+  };
+  const context = new Proxy({}, { get: (_, key) => (key === 'moveTo' || key === 'lineTo' ? to : () => {}), set: () => true });
   drawCurve(context as CanvasRenderingContext2D, c, frame, rising);
   return points;
 }

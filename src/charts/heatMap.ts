@@ -1,4 +1,5 @@
 import { tickText } from './axisTicks.ts';
+import { token } from './tokens.ts';
 
 export interface HeatMapData {
   /** Labels of columns (from the left) and rows (from the bottom). */
@@ -93,14 +94,12 @@ function draw(host: HTMLElement, canvas: HTMLCanvasElement, data: HeatMapData, s
   const context = canvas.getContext('2d')!;
   context.setTransform(density, 0, 0, density, 0, 0);
   context.clearRect(0, 0, width, height);
-  const style = getComputedStyle(host);
-  const colour = (name: string): string => style.getPropertyValue(name).trim();
   const [low, high] = rangeOf(data.values);
-  cells(context, data, { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM }, (v) => (high > low ? (v - low) / (high - low) : 0.5), colour('--sunken'), selected, colour('--text'), colour('--surface'));
+  cells(context, data, { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM }, (v) => (high > low ? (v - low) / (high - low) : 0.5), token('--sunken'), selected, token('--text'), token('--surface'));
   context.font = '11px system-ui, sans-serif';
-  context.fillStyle = colour('--muted');
+  context.fillStyle = token('--muted');
   axes(context, data, width, height);
-  scale(context, data.label, low, high, width, height, colour('--muted'));
+  scale(context, data.label, low, high, width, height, token('--muted'));
 }
 
 function rangeOf(values: ArrayLike<number>): [number, number] {

@@ -1,6 +1,7 @@
 import { decadeTicks, linearTicks, tickText } from './axisTicks.ts';
 import { drawCurve, limitsOf, type Frame, type OverlayCurve } from './overlayCurves.ts';
 import { lineContext } from './pen.ts';
+import { token } from './tokens.ts';
 
 export type { OverlayCurve } from './overlayCurves.ts';
 
@@ -162,7 +163,7 @@ class Overlay implements OverlayPlot {
 
   private drawAxes(context: CanvasRenderingContext2D): void {
     const { left, top, width, height, low, high, logarithmicX } = this.frame;
-    const [ink, line] = [this.colour('--muted'), this.colour('--line')];
+    const [ink, line] = [token('--muted'), token('--line')];
     context.font = '11px system-ui, sans-serif';
     context.lineWidth = 1;
     context.strokeStyle = line;
@@ -203,7 +204,7 @@ class Overlay implements OverlayPlot {
     const context = this.sized(this.cover);
     if (!context) return;
     const { left, top, width, height } = this.frame;
-    const ink = this.colour('--text');
+    const ink = token('--text');
     context.save();
     context.beginPath();
     context.rect(left - 5, top - 5, width + 10, height + 10);
@@ -211,7 +212,7 @@ class Overlay implements OverlayPlot {
     if (this.cursor) {
       const { x, points } = this.cursor;
       if (this.options.rising) {
-        context.fillStyle = this.colour('--accent');
+        context.fillStyle = token('--accent');
         context.fillRect(Math.round(this.toX(x)) - 0.5, top, 1.5, height);
       }
       points.forEach((point, i) => {
@@ -221,14 +222,14 @@ class Overlay implements OverlayPlot {
         context.fillStyle = this.curves[i]?.color ?? ink;
         context.fill();
         context.lineWidth = 1.5;
-        context.strokeStyle = this.colour('--surface');
+        context.strokeStyle = token('--surface');
         context.stroke();
       });
     }
     if (this.drag?.kind === 'zoom' && this.drag.far) {
       const [x0, y0, w, h] = this.box();
       context.globalAlpha = 0.16;
-      context.fillStyle = this.colour('--accent');
+      context.fillStyle = token('--accent');
       context.fillRect(x0, y0, w, h);
     }
     context.restore();
@@ -331,10 +332,6 @@ class Overlay implements OverlayPlot {
   private fromY(px: number): number {
     const { top, height, low, high } = this.frame;
     return high[1] - ((px - top) / height) * (high[1] - low[1]);
-  }
-
-  private colour(name: string): string {
-    return getComputedStyle(this.host).getPropertyValue(name).trim();
   }
 }
 

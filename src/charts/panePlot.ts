@@ -37,6 +37,8 @@ export interface PanePlot {
 
 /** Points nearer than this to the last one drawn (CSS pixels) add nothing to a picture. */
 const FINE = 0.4;
+/** Smaller than this nothing can be read, CSS pixels. */
+const SMALLEST = { width: 80, height: 60 };
 const FONT = '11px system-ui, sans-serif';
 
 /** Axes by uPlot, curves drawn over them on a canvas of their own: also those that turn back on themselves. */
@@ -51,8 +53,8 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
   const typeset = (_: uPlot, at: number[]): string[] => at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
   const plot = new uPlot(
     {
-      width: Math.max(80, host.clientWidth),
-      height: Math.max(60, host.clientHeight),
+      // Its size comes with the page's next layout: asking for it here would have the page laid out at once.
+      ...SMALLEST,
       legend: { show: false },
       cursor: { show: false },
       scales: { x: { time: false, range: () => [...ranges.x] as [number, number] }, y: { range: () => [...ranges.y] as [number, number] } },
@@ -68,9 +70,11 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
   );
   plot.over.before(sheet);
   plot.over.append(cursor, dotsBox);
+  /** Of the curves, CSS pixels. */
+  const area = (): [number, number] => [plot.bbox.width / devicePixelRatio, plot.bbox.height / devicePixelRatio];
   const fit = (): void => {
     if (!equal) return;
-    const { clientWidth: w, clientHeight: h } = plot.over;
+    const [w, h] = area();
     if (w === 0 || h === 0) return;
     const perPixel = Math.max((ranges.x[1] - ranges.x[0]) / w, (ranges.y[1] - ranges.y[0]) / h);
     ranges.x = around(ranges.x, (perPixel * w) / 2);
@@ -86,8 +90,9 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
       plot.setData([[ranges.x[0], ranges.x[1]], [null, null]]);
     },
     mark(x, dots) {
+      const [width, height] = area();
       const left = x === null ? NaN : plot.valToPos(x, 'x');
-      const inside = left >= -0.5 && left <= plot.over.clientWidth + 0.5;
+      const inside = left >= -0.5 && left <= width + 0.5;
       cursor.hidden = !inside;
       if (inside) cursor.style.transform = `translateX(${left}px)`;
       while (dotsBox.children.length > dots.length) dotsBox.lastChild!.remove();
@@ -95,7 +100,7 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
       dots.forEach((dot, i) => {
         const element = dotsBox.children[i] as HTMLElement;
         const [px, py] = [plot.valToPos(dot.x, 'x'), plot.valToPos(dot.y, 'y')];
-        element.hidden = !(px >= 0 && py >= 0 && px <= plot.over.clientWidth && py <= plot.over.clientHeight);
+        element.hidden = !(px >= 0 && py >= 0 && px <= width && py <= height);
         element.style.transform = `translate(${px}px, ${py}px)`;
         element.style.background = dot.color;
       });
@@ -106,9 +111,9 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
     },
     over: plot.over,
     get width() {
-      return plot.over.clientWidth;
+      return area()[0];
     },
-    resize: (width, height) => plot.setSize({ width: Math.max(80, width), height: Math.max(60, height) }),
+    resize: (width, height) => plot.setSize({ width: Math.max(SMALLEST.width, width), height: Math.max(SMALLEST.height, height) }),
     destroy: () => plot.destroy(),
   };
 }

@@ -1,5 +1,6 @@
 import type { App } from '../app/types.ts';
 import type { LocusCurve, LocusPlot } from '../charts/locusPlot.ts';
+import { token } from '../charts/tokens.ts';
 import type { ScenarioLocus } from '../core/control/scenarioLocus.ts';
 
 /** How a locus is drawn: axis labels, a factor from SI to the unit shown, and for a scale that bends to logarithmic, where and its ticks. */
@@ -22,14 +23,13 @@ export function plotLocus(app: App, host: HTMLElement, locus: ScenarioLocus, dra
     if (ended) return;
     const draw = (): void => {
       plot?.destroy();
-      const colour = (name: string): string => getComputedStyle(host).getPropertyValue(name).trim();
       const { factor, ...rest } = drawing;
       plot = createLocusPlot(host, {
         ...rest,
         values: locus.values.map((x) => x * factor),
         marks: locus.critical.map(({ value }) => value * factor),
-        curves: curvesOf(locus, colour('--accent'), colour('--text')),
-        colors: { ink: colour('--muted'), line: colour('--line'), mark: colour('--text'), above: colour('--growing') },
+        curves: curvesOf(locus, token('--accent'), token('--text')),
+        colors: { ink: token('--muted'), line: token('--line'), mark: token('--text'), above: token('--growing') },
       });
     };
     // The theme's colours are in force after the page's own effect: draw in the next frame.

@@ -2,6 +2,7 @@ import { effect } from '@preact/signals';
 import type { Comparison, Outcome } from '../app/comparison.ts';
 import { download } from '../app/download.ts';
 import type { App } from '../app/types.ts';
+import { token } from '../charts/tokens.ts';
 import type { LinePlot } from '../charts/linePlot.ts';
 
 /** Ends after which a curve's last values mean nothing. */
@@ -20,8 +21,7 @@ export function plotComparison(
   let stop = (): void => {};
   void import('../charts/linePlot.ts').then(({ createLinePlot }) => {
     if (ended) return;
-    const colour = (name: string): string => getComputedStyle(host).getPropertyValue(name).trim();
-    plot = createLinePlot(host, { xLabel: 't, s', yLabel: column, logarithmic: column === 'residual', ink: colour('--muted'), line: colour('--line') });
+    plot = createLinePlot(host, { xLabel: 't, s', yLabel: column, logarithmic: column === 'residual', ink: token('--muted'), line: token('--line') });
     plot.resize(host.clientWidth, host.clientHeight);
     let frame = 0;
     const draw = (): void => {

@@ -97,7 +97,7 @@ test('a balanced board is pushed by hand while it rides, resists, and rides on t
   const watch = await openPage(page);
   await chooseCase(page, 'balanced');
   await ended(page, 2, 'end');
-  await page.getByTestId('duration').fill('8');
+  await page.getByTestId('duration').fill('10');
   await page.getByTestId('duration').press('Enter');
   await ended(page, 3, 'end');
   await pause(page);
@@ -108,11 +108,11 @@ test('a balanced board is pushed by hand while it rides, resists, and rides on t
   await page.keyboard.down('Shift');
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
-  await page.mouse.move(at.x + 12, at.y - 10, { steps: 2 });
+  await page.mouse.move(at.x + 9, at.y - 8, { steps: 2 });
   // Let go in the page, by the first frame after 4.3 s: how long a hand is on it decides what becomes of the board.
   await page.waitForFunction(() => {
     if (!(parseFloat(document.querySelector('[data-testid=time]')!.textContent!) > 4.3)) return false;
-    const canvas = document.querySelector('canvas')!;
+    const canvas = document.querySelector('[data-testid=scene]')!;
     for (let pointerId = 0; pointerId < 8; pointerId++) canvas.dispatchEvent(new PointerEvent('pointerup', { pointerId }));
     return true;
   });

@@ -18,7 +18,8 @@ export interface PointTrack {
   count: number;
 }
 
-/** Rows followed in one call: a few milliseconds' work, so that a large file never stops the page. */
+/** Rows followed in one call, a few milliseconds' work, so that a large file never stops the page: few at first, while the engine has not compiled this yet. */
+const FIRST_ROWS = 1000;
 const ROWS_AT_ONCE = 6000;
 
 /**
@@ -173,7 +174,8 @@ export class MotionSampler {
       this.generation = trajectory.generation;
       this.tracked = 0;
     }
-    const rows = Math.min(trajectory.settled, this.tracked + ROWS_AT_ONCE);
+    const share = Math.min(ROWS_AT_ONCE, Math.max(FIRST_ROWS, this.tracked));
+    const rows = Math.min(trajectory.settled, this.tracked + share);
     if (rows <= this.tracked) return;
     this.reserve(rows);
     const t = trajectory.column('t')!;

@@ -2,6 +2,7 @@ import { effect, type Signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { App } from '../../app/types.ts';
 import { createOverlayPlot, type OverlayCurve, type OverlayPlot } from '../../charts/overlayPlot.ts';
+import { token } from '../../charts/tokens.ts';
 import { axisLabel, type ColumnInfo } from '../../core/compare/columns.ts';
 import { valueAt } from '../../core/compare/resample.ts';
 import type { ShownRun } from './shownRuns.ts';
@@ -59,14 +60,13 @@ function curvesOf(runs: readonly ShownRun[], x: ColumnInfo, y: ColumnInfo): Over
     const [xs, ys] = [trajectory.column(x.name), trajectory.column(y.name)];
     const there = xs !== undefined && ys !== undefined;
     return {
-      label: name, color: style?.color ?? ink(), ...(style?.dash ? { dash: style.dash } : {}), ...(style ? {} : { width: 2 }),
+      label: name, color: style?.color ?? token('--text'), ...(style?.dash ? { dash: style.dash } : {}), ...(style ? {} : { width: 2 }),
       x: there ? xs : EMPTY, y: there ? ys : EMPTY, xFactor: x.factor, yFactor: y.factor,
     };
   });
 }
 
 /** The page's ink, for the run on the stage. */
-const ink = (): string => getComputedStyle(document.documentElement).getPropertyValue('--text').trim();
 
 /** Where a run is at a time; nowhere outside of its own. */
 function pointAt({ motion: { trajectory } }: ShownRun, x: ColumnInfo, y: ColumnInfo, time: number): readonly [number, number] | null {

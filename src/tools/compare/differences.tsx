@@ -3,6 +3,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { download } from '../../app/download.ts';
 import { createOverlayPlot, type OverlayPlot } from '../../charts/overlayPlot.ts';
+import { token } from '../../charts/tokens.ts';
 import { axisLabel, columnInfo, type ColumnInfo } from '../../core/compare/columns.ts';
 import { commonTimes, differenceOf, type Difference } from '../../core/compare/difference.ts';
 import { words } from '../../text/compare.ts';
@@ -140,7 +141,7 @@ function DifferencePlot({ line }: { line: Line }) {
     };
   }, []);
   useEffect(() => {
-    const color = getComputedStyle(host.current!).getPropertyValue('--accent').trim();
+    const color = token('--accent');
     plot.current?.setCurves([{ label: info.name, color, x: line.difference.times, y: line.difference.values, xFactor: 1, yFactor: info.factor }]);
   }, [line]);
   return <div ref={host} class="overlay-plot low" role="img" aria-label={words.differencePlot(axisLabel(info))} data-testid="difference-plot" />;

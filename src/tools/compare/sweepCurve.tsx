@@ -3,6 +3,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { SweepPlan } from '../../app/sweep.ts';
 import type { App } from '../../app/types.ts';
 import { createOverlayPlot } from '../../charts/overlayPlot.ts';
+import { token } from '../../charts/tokens.ts';
 import { words } from '../../text/compare.ts';
 
 /** One measure of every run of a sweep, and what pointing at a run and picking one leads to. */
@@ -35,7 +36,7 @@ export function SweepCurve({ app, plan, measure, factor, label, onHover, onPick 
     });
     const draw = (): void => {
       const y = x.map((_, job) => (app.sweep.results[job]?.values[measure] ?? NaN) * factor);
-      plot.setCurves([{ label, color: getComputedStyle(host.current!).getPropertyValue('--accent').trim(), points: true, x, y, xFactor: 1, yFactor: 1 }]);
+      plot.setCurves([{ label, color: token('--accent'), points: true, x, y, xFactor: 1, yFactor: 1 }]);
     };
     const stops = [
       effect(() => {

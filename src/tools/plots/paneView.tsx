@@ -3,6 +3,7 @@ import { effect, useSignal, type Signal } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import type { App, Motion, PlotPane } from '../../app/types.ts';
 import { createPanePlot, type PanePlot } from '../../charts/panePlot.ts';
+import { token } from '../../charts/tokens.ts';
 import { text } from '../../text/plots.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/controls.tsx';
@@ -82,12 +83,6 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
   const units = unitOf(pane.y.map(infoOf), degrees);
   useLayoutEffect(() => {
     const element = host.current!;
-    // Asked for once a theme: every answer has the page's styles worked out.
-    const tokens = new Map<string, string>();
-    const token = (name: string): string => {
-      if (!tokens.has(name)) tokens.set(name, getComputedStyle(element).getPropertyValue(name).trim());
-      return tokens.get(name)!;
-    };
     const x = infoOf(pane.x);
     const plot = createPanePlot(element, { xLabel: pane.x === 't' ? 't, s' : `${pane.x}${x.unit ? `, ${unitOf([x], degrees)}` : ''}`, yLabel: units, ink: token('--muted'), line: token('--line'), equal: pane.equal ?? false });
     drawn.current = plot;
@@ -97,7 +92,7 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
       timer = undefined;
       last = performance.now();
       const now = latest.current;
-      const styles = stylesOf(now.pane.y.map(infoOf), token);
+      const styles = stylesOf(now.pane.y.map(infoOf));
       const { curves, x: xr, y: yr } = curvesOf(now, infoOf, state.plots.peek().degrees, styles, plot.width);
       plot.draw(curves, xr, yr);
       mark();
@@ -110,7 +105,7 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
       if (now.pane.x === 't') return plot.mark(time, []);
       const factor = (name: string): number => (infoOf(name).angle && state.plots.peek().degrees ? 1 / DEGREE : 1);
       const value = (name: string): number => factor(name) * at(now.motion.trajectory, now.values(name).get(), time);
-      const styles = stylesOf(now.pane.y.map(infoOf), token);
+      const styles = stylesOf(now.pane.y.map(infoOf));
       plot.mark(null, now.pane.y.flatMap((name, i) => (now.pane.hidden?.includes(name) ? [] : [{ x: value(now.pane.x), y: value(name), color: styles[i]!.color }])));
     };
     redraw.current = soon;
@@ -154,14 +149,12 @@ function Options({ columns }: { columns: readonly ColumnInfo[] }) {
 
 function Legend({ info, degrees, ...props }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
   const { pane, onChange } = props;
-  const root = useRef<HTMLUListElement>(null);
-  const token = (name: string): string => getComputedStyle(root.current ?? document.documentElement).getPropertyValue(name).trim();
-  const styles = stylesOf(info, token);
+  const styles = stylesOf(info);
   const hidden = new Set(pane.hidden);
   const toggle = (name: string) => onChange({ ...pane, hidden: hidden.has(name) ? [...hidden].filter((n) => n !== name) : [...hidden, name] });
   const isolate = (name: string) => onChange({ ...pane, hidden: pane.y.filter((n) => n !== name) });
   return (
-    <ul class="pane-legend" ref={root}>
+    <ul class="pane-legend">
       {info.map((c, i) => {
         return (
           <li key={c.name} class={hidden.has(c.name) ? 'off' : undefined}>

@@ -2,6 +2,7 @@
 import { download } from '../../app/download.ts';
 import type { App } from '../../app/types.ts';
 import { plotSheet } from '../../charts/svgPlot.ts';
+import { token } from '../../charts/tokens.ts';
 import { writeCsv } from '../../io/csv.ts';
 import type { ColumnInfo } from './columns.ts';
 import { curvesOf, limits, unitOf } from './drawing.ts';
@@ -16,7 +17,7 @@ export function savePng(host: HTMLElement, title: string): void {
   if (!sheets[0]) return;
   const canvas = Object.assign(document.createElement('canvas'), { width: sheets[0].width, height: sheets[0].height });
   const context = canvas.getContext('2d')!;
-  context.fillStyle = getComputedStyle(host).getPropertyValue('--surface').trim();
+  context.fillStyle = token('--surface');
   context.fillRect(0, 0, canvas.width, canvas.height);
   for (const sheet of sheets) context.drawImage(sheet, 0, 0);
   canvas.toBlob((blob) => {
@@ -28,7 +29,7 @@ export function savePng(host: HTMLElement, title: string): void {
 export function saveSvg(props: PaneProps, app: App, infoOf: (name: string) => ColumnInfo): void {
   const { pane } = props;
   const { degrees } = app.state.plots.peek();
-  const styles = stylesOf(pane.y.map(infoOf), (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+  const styles = stylesOf(pane.y.map(infoOf));
   const { curves } = curvesOf(props, infoOf, degrees, styles, 1000);
   const labels = [...pane.y.filter((name) => !pane.hidden?.includes(name)), ...(pane.exact ? [pane.exact.label] : [])];
   const x = infoOf(pane.x);

@@ -1,3 +1,4 @@
+import { token } from '../../charts/tokens.ts';
 import type { ColumnInfo } from './columns.ts';
 
 /** Told apart by colour-blind people too, and by their dashes. Front is orange and back is blue, as everywhere. */
@@ -10,7 +11,7 @@ export interface CurveStyle {
 }
 
 /** A style for each curve of a pane: the colour of its part, a dash of its own among those of one colour. */
-export function stylesOf(columns: readonly ColumnInfo[], token: (name: string) => string): CurveStyle[] {
+export function stylesOf(columns: readonly ColumnInfo[]): CurveStyle[] {
   const used = new Map<string, number>();
   let other = 0;
   return columns.map(({ part }) => {

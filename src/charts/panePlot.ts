@@ -1,6 +1,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { lineContext, Pen } from './pen.ts';
+import { token } from './tokens.ts';
 
 /** A curve as points in the axes' units; a point that is not a number is a gap. Of any number of motions. */
 export interface PaneCurve {
@@ -10,19 +11,22 @@ export interface PaneCurve {
   y: ArrayLike<number>;
 }
 
-export interface PaneOptions {
+type Range = readonly [number, number];
+
+/** Everything that is drawn. */
+export interface PanePicture {
+  curves: readonly PaneCurve[];
+  x: Range;
+  y: Range;
   xLabel: string;
   yLabel: string;
-  ink: string;
-  line: string;
   /** A unit is as long on both axes. */
   equal: boolean;
 }
 
-type Range = readonly [number, number];
-
 export interface PanePlot {
-  draw(curves: readonly PaneCurve[], x: Range, y: Range): void;
+  /** In the colours of the theme in force. */
+  draw(picture: PanePicture): void;
   /** Marks the present: a line at x, and dots. Cheap: nothing is drawn anew. */
   mark(x: number | null, dots: readonly { x: number; y: number; color: string }[]): void;
   /** Values of the axes under a place on the screen. */
@@ -42,14 +46,14 @@ const SMALLEST = { width: 80, height: 60 };
 const FONT = '11px system-ui, sans-serif';
 
 /** Axes by uPlot, curves drawn over them on a canvas of their own: also those that turn back on themselves. */
-export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, equal }: PaneOptions): PanePlot {
-  let curves: readonly PaneCurve[] = [];
-  const ranges: { x: Range; y: Range } = { x: [0, 1], y: [0, 1] };
+export function createPanePlot(host: HTMLElement): PanePlot {
+  let shown: PanePicture = { curves: [], x: [0, 1], y: [0, 1], xLabel: '', yLabel: '', equal: false };
   const cursor = document.createElement('div');
   cursor.className = 'pane-cursor';
   const dotsBox = document.createElement('div');
   const sheet = Object.assign(document.createElement('canvas'), { className: 'pane-curves' });
-  const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: FONT, labelFont: FONT, labelSize: 15 };
+  const ruled = { stroke: () => token('--line'), width: 1 };
+  const axis = { stroke: () => token('--muted'), grid: ruled, ticks: ruled, font: FONT, labelFont: FONT, labelSize: 15 };
   const typeset = (_: uPlot, at: number[]): string[] => at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
   const plot = new uPlot(
     {
@@ -57,13 +61,13 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
       ...SMALLEST,
       legend: { show: false },
       cursor: { show: false },
-      scales: { x: { time: false, range: () => [...ranges.x] as [number, number] }, y: { range: () => [...ranges.y] as [number, number] } },
+      scales: { x: { time: false, range: () => [...shown.x] as [number, number] }, y: { range: () => [...shown.y] as [number, number] } },
       axes: [
-        { ...axis, label: xLabel, size: 26, values: typeset },
-        { ...axis, label: yLabel, size: 46, values: typeset },
+        { ...axis, label: () => shown.xLabel, size: 26, values: typeset },
+        { ...axis, label: () => shown.yLabel, size: 46, values: typeset },
       ],
       series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
-      hooks: { draw: [(u) => strokeAll(u, sheet, curves)] },
+      hooks: { draw: [(u) => strokeAll(u, sheet, shown.curves)] },
     },
     [[0, 1], [0, 0]],
     host,
@@ -72,22 +76,17 @@ export function createPanePlot(host: HTMLElement, { xLabel, yLabel, ink, line, e
   plot.over.append(cursor, dotsBox);
   /** Of the curves, CSS pixels. */
   const area = (): [number, number] => [plot.bbox.width / devicePixelRatio, plot.bbox.height / devicePixelRatio];
-  const fit = (): void => {
-    if (!equal) return;
+  const fitted = ({ x, y }: PanePicture): { x: Range; y: Range } => {
     const [w, h] = area();
-    if (w === 0 || h === 0) return;
-    const perPixel = Math.max((ranges.x[1] - ranges.x[0]) / w, (ranges.y[1] - ranges.y[0]) / h);
-    ranges.x = around(ranges.x, (perPixel * w) / 2);
-    ranges.y = around(ranges.y, (perPixel * h) / 2);
+    if (w === 0 || h === 0) return { x, y };
+    const perPixel = Math.max((x[1] - x[0]) / w, (y[1] - y[0]) / h);
+    return { x: around(x, (perPixel * w) / 2), y: around(y, (perPixel * h) / 2) };
   };
 
   return {
-    draw(next, x, y) {
-      curves = next;
-      ranges.x = x;
-      ranges.y = y;
-      fit();
-      plot.setData([[ranges.x[0], ranges.x[1]], [null, null]]);
+    draw(picture) {
+      shown = picture.equal ? { ...picture, ...fitted(picture) } : picture;
+      plot.setData([[...shown.x], [null, null]]);
     },
     mark(x, dots) {
       const [width, height] = area();

@@ -19,7 +19,7 @@ export interface PointTrack {
 }
 
 /** Rows followed in one call, a few milliseconds' work, so that a large file never stops the page: few at first, while the engine has not compiled this yet. */
-const FIRST_ROWS = 1000;
+const FIRST_ROWS = 250;
 const ROWS_AT_ONCE = 6000;
 
 /**

@@ -2,8 +2,7 @@
 import { effect, useSignal, type Signal } from '@preact/signals';
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import type { App, Motion, PlotPane } from '../../app/types.ts';
-import { createPanePlot, type PanePlot } from '../../charts/panePlot.ts';
-import { token } from '../../charts/tokens.ts';
+import { createPanePlot, type PanePicture } from '../../charts/panePlot.ts';
 import { text } from '../../text/plots.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/controls.tsx';
@@ -34,16 +33,15 @@ export interface PaneProps {
 export function PaneView(props: PaneProps) {
   const { pane, motion, columns, first, onChange, onUp } = props;
   const { app } = useUi();
-  const infoOf = (name: string): ColumnInfo => columns.find((c) => c.name === name) ?? { name, label: name, unit: '', angle: false, part: null, group: '' };
+  const infoOf = infoIn(columns);
   const host = useRef<HTMLDivElement>(null);
-  const drawn = useRef<PanePlot | null>(null);
   const latest = useRef(props);
   latest.current = props;
   const tableOpen = useSignal(false);
   const info = pane.y.map(infoOf);
   const shown = info.filter((c) => !pane.hidden?.includes(c.name));
   const { degrees } = app.state.plots.value;
-  usePlot(app, host, drawn, latest, infoOf);
+  usePlot(app, host, latest);
   const names = shown.map((c) => c.label).join(', ');
   return (
     <section class="pane" aria-label={pane.title} data-testid="plot-pane">
@@ -73,45 +71,42 @@ export function PaneView(props: PaneProps) {
   );
 }
 
-/** Makes the drawing once, in the same commit as the legend, so that a drag begun on what is seen is not lost; draws when rows, range, units, curves or theme change. */
-function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { current: PanePlot | null }, latest: { current: PaneProps }, infoOf: (name: string) => ColumnInfo): void {
-  const { pane } = latest.current;
-  const { state } = app;
+const infoIn = (columns: readonly ColumnInfo[]) => (name: string): ColumnInfo =>
+  columns.find((c) => c.name === name) ?? { name, label: name, unit: '', angle: false, part: null, group: '' };
+
+/** Makes the drawing once, in the same commit as the legend, so that a drag begun on what is seen is not lost; draws when motion, rows, range, units, curves or theme change. */
+function usePlot(app: App, host: { current: HTMLDivElement | null }, latest: { current: PaneProps }): void {
   const redraw = useRef<() => void>(() => {});
-  const { degrees, wrapped } = state.plots.value;
-  const theme = state.theme.value;
-  const units = unitOf(pane.y.map(infoOf), degrees);
   useLayoutEffect(() => {
+    const { state } = app;
     const element = host.current!;
-    const x = infoOf(pane.x);
-    const plot = createPanePlot(element, { xLabel: pane.x === 't' ? 't, s' : `${pane.x}${x.unit ? `, ${unitOf([x], degrees)}` : ''}`, yLabel: units, ink: token('--muted'), line: token('--line'), equal: pane.equal ?? false });
-    drawn.current = plot;
+    const plot = createPanePlot(element);
     let last = 0;
     let timer: ReturnType<typeof setTimeout> | undefined;
     const draw = (): void => {
       timer = undefined;
       last = performance.now();
-      const now = latest.current;
-      const styles = stylesOf(now.pane.y.map(infoOf));
-      const { curves, x: xr, y: yr } = curvesOf(now, infoOf, state.plots.peek().degrees, styles, plot.width);
-      plot.draw(curves, xr, yr);
+      plot.draw(pictureOf(latest.current, state.plots.peek().degrees, plot.width));
       mark();
-      if (now.pane.y.some((name) => now.values(name).behind) || (now.pane.x !== 't' && now.values(now.pane.x).behind)) soon();
+      const { pane, values } = latest.current;
+      if (pane.y.some((name) => values(name).behind) || (pane.x !== 't' && values(pane.x).behind)) soon();
     };
     const soon = (): void => void (timer ??= setTimeout(draw, Math.max(0, REDRAW_MS - (performance.now() - last))));
     const mark = (): void => {
-      const now = latest.current;
+      const { pane, motion, columns, values } = latest.current;
       const time = state.time.peek();
-      if (now.pane.x === 't') return plot.mark(time, []);
-      const factor = (name: string): number => (infoOf(name).angle && state.plots.peek().degrees ? 1 / DEGREE : 1);
-      const value = (name: string): number => factor(name) * at(now.motion.trajectory, now.values(name).get(), time);
-      const styles = stylesOf(now.pane.y.map(infoOf));
-      plot.mark(null, now.pane.y.flatMap((name, i) => (now.pane.hidden?.includes(name) ? [] : [{ x: value(now.pane.x), y: value(name), color: styles[i]!.color }])));
+      if (pane.x === 't') return plot.mark(time, []);
+      const info = infoIn(columns);
+      const value = (name: string): number => at(motion.trajectory, values(name).get(), time) / (info(name).angle && state.plots.peek().degrees ? DEGREE : 1);
+      const styles = stylesOf(pane.y.map(info));
+      plot.mark(null, pane.y.flatMap((name, i) => (pane.hidden?.includes(name) ? [] : [{ x: value(pane.x), y: value(name), color: styles[i]!.color }])));
     };
     redraw.current = soon;
     const ends = [
       effect(() => {
         void state.rowsVersion.value;
+        void state.plots.value;
+        void state.theme.value;
         void latest.current.range.value;
         soon();
       }),
@@ -128,10 +123,23 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, drawn: { cu
       for (const end of ends) end();
       observer.disconnect();
       plot.destroy();
-      drawn.current = null;
     };
-  }, [theme, degrees, wrapped, units]);
-  useEffect(() => redraw.current(), [pane]);
+  }, []);
+  const { pane, motion } = latest.current;
+  useEffect(() => redraw.current(), [pane, motion.id]);
+}
+
+function pictureOf(props: PaneProps, degrees: boolean, width: number): PanePicture {
+  const { pane, columns } = props;
+  const info = infoIn(columns);
+  const x = info(pane.x);
+  const y = pane.y.map(info);
+  return {
+    ...curvesOf(props, info, degrees, stylesOf(y), width),
+    xLabel: pane.x === 't' ? 't, s' : [pane.x, unitOf([x], degrees)].filter(Boolean).join(', '),
+    yLabel: unitOf(y, degrees),
+    equal: pane.equal ?? false,
+  };
 }
 
 function Options({ columns }: { columns: readonly ColumnInfo[] }) {

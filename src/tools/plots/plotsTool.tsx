@@ -1,10 +1,11 @@
 /** Curves of the motion on the stage: any column over time or over another, one time for scene and plots. */
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useMemo } from 'preact/hooks';
 import type { Motion, PlotPane } from '../../app/types.ts';
 import { text } from '../../text/plots.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/controls.tsx';
+import { useDeferred } from '../../ui/deferred.ts';
 import { columnsOf, Values } from './columns.ts';
 import { PaneView } from './paneView.tsx';
 import { keyOf, panesOf, suggested } from './panes.ts';
@@ -12,9 +13,9 @@ import './plots.css';
 
 export function PlotsTool() {
   const { state } = useUi().app;
-  const motion = state.motion.value;
+  const motion = useDeferred(state.motion);
   if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{text.empty}</p>;
-  return <Plots key={motion.id} motion={motion} />;
+  return <Plots motion={motion} />;
 }
 
 function Plots({ motion }: { motion: Motion }) {
@@ -24,6 +25,7 @@ function Plots({ motion }: { motion: Motion }) {
   const panes = panesOf(motion, caseId, plots);
   const range = useSignal<readonly [number, number] | null>(null);
   const values = useValues(motion);
+  useLayoutEffect(() => void (range.value = null), [motion.id]);
   const columns = columnsOf(motion);
   const own = plots.own?.key === keyOf(motion, caseId);
   const change = (next: readonly PlotPane[]) => {
@@ -42,7 +44,7 @@ function Plots({ motion }: { motion: Motion }) {
         <Check label={text.wrapped} testId="plots-wrapped" checked={plots.wrapped} onChange={(wrapped) => { state.plots.value = { ...state.plots.peek(), wrapped }; }} />
       </div>
       {panes.map((pane, i) => (
-        <PaneView key={`${i} ${pane.x} ${pane.equal ?? ''}`} pane={pane} motion={motion} columns={columns} values={values} range={range} first={i === 0}
+        <PaneView key={i} pane={pane} motion={motion} columns={columns} values={values} range={range} first={i === 0}
           onChange={(next) => edit(i, next)} onUp={() => change([...panes.slice(0, i - 1), pane, panes[i - 1]!, ...panes.slice(i + 1)])} />
       ))}
       {own && panes.length === 0 && <p class="hint">{suggested(motion, caseId).length > 0 ? text.ofCase : text.empty}</p>}
@@ -53,13 +55,12 @@ function Plots({ motion }: { motion: Motion }) {
 /** Values by column, kept while the motion is the same. */
 function useValues(motion: Motion): (name: string) => Values {
   const { state } = useUi().app;
-  const kept = useRef(new Map<string, Values>());
-  useEffect(() => () => kept.current.clear(), []);
+  const kept = useMemo(() => new Map<string, Values>(), [motion.id]);
   return (name) => {
     const { wrapped } = state.plots.peek();
     const key = `${name} ${wrapped}`;
-    let found = kept.current.get(key);
-    if (!found) kept.current.set(key, (found = new Values(motion, name, wrapped)));
+    let found = kept.get(key);
+    if (!found) kept.set(key, (found = new Values(motion, name, wrapped)));
     return found;
   };
 }

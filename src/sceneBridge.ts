@@ -40,6 +40,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     glb: async (plan, watching) => (await import('./studio.ts')).writeGlb(app, dressed.peek(), plan, watching),
   };
   effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
+  const followed = signal(0);
   let following = false;
   /** Rows that could not be followed at once are in the next frame: one look a frame, however often the time changes. */
   const followOn = (): void => {
@@ -47,7 +48,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     following = true;
     requestAnimationFrame(() => {
       following = false;
-      state.rowsVersion.value++;
+      followed.value++;
     });
   };
   effect(() => {
@@ -58,6 +59,7 @@ export async function connectScene(canvas: HTMLCanvasElement, app: App, stage: S
     const time = state.time.value;
     // A pause at the newest row of a growing run must redraw when rows come.
     void state.rowsVersion.value;
+    void followed.value;
     if (!sampler.sample(time)) return;
     if (sampler.behind) followOn();
     view.setTrails(sampler.tracks());

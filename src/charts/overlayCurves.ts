@@ -23,6 +23,8 @@ export interface Frame {
   low: readonly [number, number];
   high: readonly [number, number];
   logarithmicX: boolean;
+  /** Device pixels in one px; 1 if not said. */
+  density?: number;
 }
 
 /** Smallest and largest finite x and y of all curves, in units shown; y over the part of x that is zoomed to. 0 .. 1 where there are none. */
@@ -67,10 +69,8 @@ export function firstAt(xs: ArrayLike<number>, value: number): number {
 /** Draws what is in the frame: of rising x only the extremes of each pixel column, else no point within the last one's pixel. */
 export function drawCurve(context: CanvasRenderingContext2D, curve: OverlayCurve, frame: Frame, rising: boolean): void {
   context.strokeStyle = context.fillStyle = curve.color;
-  context.lineWidth = curve.width ?? 1.5;
   context.lineJoin = 'round';
-  context.setLineDash(curve.dash ? [...curve.dash] : []);
-  const pen = new Pen(context, curve.dash !== undefined);
+  const pen = new Pen(context, { width: curve.width ?? 1.5, dash: curve.dash, hair: 1 / (frame.density ?? 1) });
   if (rising && !frame.logarithmicX && curve.x.length > 4 * frame.width) tracedByColumn(pen, curve, frame);
   else tracedByPoint(pen, curve, frame);
   pen.end();

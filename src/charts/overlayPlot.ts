@@ -158,7 +158,7 @@ class Overlay implements OverlayPlot {
       [x0, x1] = [(x0 + x1 - scale * width) / 2, (x0 + x1 + scale * width) / 2];
       [y0, y1] = [(y0 + y1 - scale * height) / 2, (y0 + y1 + scale * height) / 2];
     }
-    return { left: LEFT, top: TOP, width, height, low: [logarithmicX ? Math.log10(x0) : x0, y0], high: [logarithmicX ? Math.log10(x1) : x1, y1], logarithmicX };
+    return { left: LEFT, top: TOP, width, height, low: [logarithmicX ? Math.log10(x0) : x0, y0], high: [logarithmicX ? Math.log10(x1) : x1, y1], logarithmicX, density: devicePixelRatio || 1 };
   }
 
   private drawAxes(context: CanvasRenderingContext2D): void {

@@ -133,12 +133,10 @@ function strokeAll(u: uPlot, sheet: HTMLCanvasElement, curves: readonly PaneCurv
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
-  ctx.lineWidth = 1.5 * scale;
   ctx.lineJoin = 'round';
   for (const { color, dash, x, y } of curves) {
     ctx.strokeStyle = color;
-    ctx.setLineDash(dash ? dash.map((d) => d * scale) : []);
-    const pen = new Pen(ctx, dash !== undefined);
+    const pen = new Pen(ctx, { width: 1.5 * scale, dash: dash?.map((d) => d * scale), hair: 1 });
     let down = false;
     let [lastX, lastY] = [NaN, NaN];
     for (let i = 0; i < x.length; i++) {

@@ -17,3 +17,13 @@ export function useDeferred<T>(source: ReadonlySignal<T>): T {
   }, [source]);
   return value;
 }
+
+/** The value of the render before, then in a task of its own the present one. It must be the same object while nothing changed. */
+export function useLagging<T>(value: T): T {
+  const [shown, setShown] = useState(() => value);
+  useEffect(() => {
+    const timer = setTimeout(() => setShown(() => value));
+    return () => clearTimeout(timer);
+  }, [value]);
+  return shown;
+}

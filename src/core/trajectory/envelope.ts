@@ -1,5 +1,5 @@
 /** Rows in a block whose least and largest value are kept. */
-const BLOCK = 256;
+const BLOCK = 64;
 
 /**
  * Least and largest values of a growing column over any range of rows, for plots of millions of points: whole blocks

@@ -1,6 +1,6 @@
 /** One plot: its curves, what they are at the present time, and how to change it. */
 import { effect, useSignal, type Signal } from '@preact/signals';
-import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { App, Motion, PlotPane } from '../../app/types.ts';
 import { createPanePlot, type PanePicture } from '../../charts/panePlot.ts';
 import { text } from '../../text/plots.ts';
@@ -22,6 +22,8 @@ export interface PaneProps {
   pane: PlotPane;
   motion: Motion;
   columns: readonly ColumnInfo[];
+  /** The columns again, for the long lists to choose from: they may come a little later. */
+  choices: readonly ColumnInfo[];
   values(name: string): Values;
   /** Of all plots over time; null for the whole. */
   range: Signal<readonly [number, number] | null>;
@@ -31,7 +33,9 @@ export interface PaneProps {
 }
 
 export function PaneView(props: PaneProps) {
-  const { pane, motion, columns, first, onChange, onUp } = props;
+  const { pane, motion, columns, choices, first, onChange, onUp } = props;
+  // Built once: most of what is to be compared when a pane is drawn anew.
+  const options = useMemo(() => <Options columns={choices} />, [choices]);
   const { app } = useUi();
   const infoOf = infoIn(columns);
   const host = useRef<HTMLDivElement>(null);
@@ -47,7 +51,7 @@ export function PaneView(props: PaneProps) {
     <section class="pane" aria-label={pane.title} data-testid="plot-pane">
       <div class="pane-head">
         <input class="pane-title" value={pane.title} aria-label={pane.title} onChange={(e) => onChange({ ...pane, title: e.currentTarget.value })} />
-        <label class="pane-x">{text.over} <select value={pane.x} data-testid="plot-x" onChange={(e) => onChange({ ...pane, x: e.currentTarget.value, equal: false })}><Options columns={columns} /></select></label>
+        <label class="pane-x">{text.over} <select value={pane.x} data-testid="plot-x" onChange={(e) => onChange({ ...pane, x: e.currentTarget.value, equal: false })}>{options}</select></label>
         <Menu label={`${text.save}: ${pane.title}`} testId="plot-save" align="right" items={[
           { id: 'png', title: text.png, testId: 'plot-png', choose: () => savePng(host.current!, pane.title) },
           { id: 'svg', title: text.svg, testId: 'plot-svg', choose: () => saveSvg(latest.current, app, infoOf) },
@@ -63,7 +67,7 @@ export function PaneView(props: PaneProps) {
       {tableOpen.value && <ValueTable info={[infoOf(pane.x), ...shown.filter((c) => c.name !== pane.x)]} {...props} degrees={degrees} />}
       <label class="pane-add"><span class="hidden">{text.addCurve}</span>
         <select value="" data-testid="plot-add-curve" onChange={(e) => { if (e.currentTarget.value) onChange({ ...pane, y: [...pane.y.filter((n) => n !== e.currentTarget.value), e.currentTarget.value] }); }}>
-          <option value="">{text.addCurve}</option><Options columns={columns} />
+          <option value="">{text.addCurve}</option>{options}
         </select>
       </label>
       <Spent pane={pane} motion={motion} values={props.values} />

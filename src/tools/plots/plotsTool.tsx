@@ -5,8 +5,8 @@ import type { Motion, PlotPane } from '../../app/types.ts';
 import { text } from '../../text/plots.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/controls.tsx';
-import { useDeferred } from '../../ui/deferred.ts';
-import { columnsOf, Values } from './columns.ts';
+import { useDeferred, useLagging } from '../../ui/deferred.ts';
+import { columnsOf, Values, type ColumnInfo } from './columns.ts';
 import { PaneView } from './paneView.tsx';
 import { keyOf, panesOf, suggested } from './panes.ts';
 import './plots.css';
@@ -26,7 +26,9 @@ function Plots({ motion }: { motion: Motion }) {
   const range = useSignal<readonly [number, number] | null>(null);
   const values = useValues(motion);
   useLayoutEffect(() => void (range.value = null), [motion.id]);
-  const columns = columnsOf(motion);
+  const listed = JSON.stringify(columnsOf(motion));
+  const columns = useMemo(() => JSON.parse(listed) as ColumnInfo[], [listed]);
+  const choices = useLagging(columns);
   const own = plots.own?.key === keyOf(motion, caseId);
   const change = (next: readonly PlotPane[]) => {
     state.plots.value = { ...plots, own: { key: keyOf(motion, caseId), panes: next } };
@@ -44,7 +46,7 @@ function Plots({ motion }: { motion: Motion }) {
         <Check label={text.wrapped} testId="plots-wrapped" checked={plots.wrapped} onChange={(wrapped) => { state.plots.value = { ...state.plots.peek(), wrapped }; }} />
       </div>
       {panes.map((pane, i) => (
-        <PaneView key={i} pane={pane} motion={motion} columns={columns} values={values} range={range} first={i === 0}
+        <PaneView key={i} pane={pane} motion={motion} columns={columns} choices={choices} values={values} range={range} first={i === 0}
           onChange={(next) => edit(i, next)} onUp={() => change([...panes.slice(0, i - 1), pane, panes[i - 1]!, ...panes.slice(i + 1)])} />
       ))}
       {own && panes.length === 0 && <p class="hint">{suggested(motion, caseId).length > 0 ? text.ofCase : text.empty}</p>}

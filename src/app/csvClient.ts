@@ -14,6 +14,12 @@ export interface ReadOptions {
   signal?: AbortSignal;
 }
 
+export interface WriteOptions {
+  /** Share of the rows written (0 to 1), after each part. */
+  onProgress?: (share: number) => void;
+  signal?: AbortSignal;
+}
+
 interface Waiting {
   resolve(reply: CsvReply): void;
   reject(error: Error): void;
@@ -39,18 +45,23 @@ export class CsvClient {
     return reply;
   }
 
-  /** A trajectory as a CSV file, part by part: no more than one part is held twice. Rows that come meanwhile are not in it. */
-  async write(trajectory: Trajectory, comments: string[]): Promise<Blob[]> {
+  /**
+   * A trajectory as a CSV file, part by part: no more than one part is held twice. Rows that come meanwhile are not in it.
+   * @returns null when it was cancelled
+   */
+  async write(trajectory: Trajectory, comments: string[], options: WriteOptions = {}): Promise<Blob[] | null> {
     const { length, generation } = trajectory;
     const columns = [...trajectory.columns];
     const parts: Blob[] = [];
     for (let from = 0; from < length; from += ROWS_PER_PART) {
       // Rows were let go meanwhile: the numbers of those that stay are others.
-      if (trajectory.generation !== generation) return this.write(trajectory, comments);
+      if (trajectory.generation !== generation) return this.write(trajectory, comments, options);
       const data = columns.map((name) => trajectory.column(name)!.slice(from, Math.min(length, from + ROWS_PER_PART)));
       const reply = await this.ask({ type: 'write', heading: from === 0 ? { columns, comments } : null, data }, { transfer: data.map((column) => column.buffer as ArrayBuffer) });
       if (reply.type !== 'written') throw new Error('the writer answered out of turn');
+      if (options.signal?.aborted) return null;
       parts.push(reply.part);
+      options.onProgress?.(Math.min(1, (from + ROWS_PER_PART) / length));
     }
     return parts;
   }

@@ -7,9 +7,9 @@ import { systemViews } from '../core/systems/views.ts';
 import type { Comparison } from './comparison.ts';
 import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
+import { CsvExport } from './csvExport.ts';
 import { download } from './download.ts';
 import { FileOpener } from './files.ts';
-import { pushComments } from './pushing.ts';
 import { Kept } from './kept.ts';
 import { LocusClient } from './locusClient.ts';
 import { initialLook } from './look.ts';
@@ -45,6 +45,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const messages = new Messages(state.messages);
   const client = new RunClient(() => workers.run());
   const csv = new CsvClient(() => workers.csv());
+  const csvExport = new CsvExport(state, csv, messages);
   const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
   const modes = new ModeStage(state, runs, systemViews, systemMetas);
   keepDrafts(state);
@@ -99,7 +100,8 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
       runs.run(autoplay);
     },
     answerTimeStep: (step) => files.answerTimeStep(step),
-    exportCsv: () => void exportCsv(state, csv, messages),
+    exportCsv: () => void csvExport.write(),
+    cancelWriting: () => csvExport.cancel(),
     saveScenario: () => download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
     play: () => play(state),
     pause: () => void (state.playing.value = false),
@@ -179,6 +181,7 @@ function initialState({ dark, roomy }: Preferences): AppState {
     messages: signal([]),
     pendingFile: signal(null),
     reading: signal(null),
+    writing: signal(null),
     meshes: signal(new Map()),
     opened: signal(null),
     loading: signal(null),
@@ -214,21 +217,4 @@ function stepRows(state: AppState, rows: number): void {
   const nearest = state.time.peek() >= t[Math.min(here + 1, t.length - 1)]! ? here + 1 : here;
   const between = rows < 0 && state.time.peek() > t[nearest]! ? 1 : 0;
   state.time.value = t[Math.min(Math.max(nearest + rows + between, 0), t.length - 1)]!;
-}
-
-async function exportCsv(state: AppState, csv: CsvClient, messages: Messages): Promise<void> {
-  const motion = state.motion.peek();
-  if (!motion || motion.trajectory.length === 0) {
-    messages.add('warning', 'Nothing to export', ['Run a scenario or open a file first.']);
-    return;
-  }
-  const { trajectory } = motion;
-  const comments = motion.scenario ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)] : [];
-  let parts: Blob[];
-  try {
-    parts = await csv.write(trajectory, comments);
-  } catch (error) {
-    return messages.add('error', 'The CSV file was not written', [error instanceof Error ? error.message : String(error), 'The run is still on the page.']);
-  }
-  download(`${motion.title.replace(/\.csv$/i, '').replace(/[^\w-]+/g, '-').replace(/^-|-$/g, '').toLowerCase() || 'run'}.csv`, parts, 'text/csv');
 }

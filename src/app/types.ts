@@ -162,6 +162,8 @@ export interface AppState {
   pendingFile: Signal<PendingFile | null>;
   /** A large file on its way in. */
   reading: Signal<{ name: string; share: number; rows: number } | null>;
+  /** A long run is being written as a CSV file. */
+  writing: Signal<{ name: string; share: number } | null>;
   /** Meshes the person dropped, by `<system>/<model>`; a missing half is the generated one. */
   meshes: Signal<ReadonlyMap<string, { mdl?: string; mat?: string }>>;
   /** The file that was just put on the stage, until it has been stored. */
@@ -195,6 +197,7 @@ export interface AppActions {
   /** Answers `pendingFile`: the time step in seconds, or null to give up. */
   answerTimeStep(step: number | null): void;
   exportCsv(): void;
+  cancelWriting(): void;
   saveScenario(): void;
   play(): void;
   pause(): void;

@@ -50,6 +50,7 @@ export const text = {
     push: 'Push', pushTitle: 'Drag a body to pull at it; Shift and drag does it at any time',
   },
   status: {
+    writing: (name: string) => `Writing ${name}`, writingShare: (name: string, percent: number) => `writing ${name}, ${percent}\u2009%`,
     reading: (name: string) => `Reading ${name}`, readingRows: (name: string, rows: string) => `reading ${name}, ${rows} rows`,
     label: 'Status', steps: 'steps', energy: 'energy', energyTitle: 'Energy now minus energy at the start, relative to largest kinetic energy',
     energyChange: 'energy change', energyChangeTitle: 'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',

@@ -89,6 +89,16 @@ function RunStanding() {
       </span>
     );
   }
+  const writing = state.writing.value;
+  if (writing) {
+    return (
+      <span class="standing" data-testid="writing">
+        <progress max={1} value={writing.share} aria-label={text.status.writing(writing.name)} />
+        {text.status.writingShare(writing.name, Math.floor(100 * writing.share))}
+        <button type="button" class="link" data-testid="cancel-writing" onClick={() => actions.cancelWriting()}>{text.panel.cancel}</button>
+      </span>
+    );
+  }
   const run = state.run.value;
   if (run?.kind === 'computing') {
     return (

@@ -25,7 +25,9 @@ test('a long run is written in parts: together the very file, without the rows t
   trajectory.append(rowsFrom(0, 45_001), 45_001);
   const whole = writeCsv(['t', 'x'], rowsFrom(0, 45_001), ['scenario: {}']);
   const client = new CsvClient(() => writer((part) => trajectory.append(rowsFrom(45_001 + 10 * part, 10), 10)));
-  const parts = await client.write(trajectory, ['scenario: {}']);
+  const shares: number[] = [];
+  const parts = (await client.write(trajectory, ['scenario: {}'], { onProgress: (share) => shares.push(share) }))!;
+  expect(shares).toEqual([20_000 / 45_001, 40_000 / 45_001, 1]);
   expect(parts.length).toBe(3);
   expect(await new Blob(parts).text()).toBe(whole);
 });
@@ -34,8 +36,18 @@ test('rows that are let go meanwhile: the file is begun anew, with those that st
   const trajectory = new Trajectory(['t', 'x'], 1024, 50_000);
   trajectory.append(rowsFrom(0, 45_000), 45_000);
   const client = new CsvClient(() => writer((part) => part === 1 && trajectory.append(rowsFrom(45_000, 10_000), 10_000)));
-  const lines = (await new Blob(await client.write(trajectory, [])).text()).trim().split('\n');
+  const lines = (await new Blob((await client.write(trajectory, []))!).text()).trim().split('\n');
   expect(trajectory.stride).toBe(2);
   expect(lines).toHaveLength(1 + trajectory.length);
   expect(lines.slice(1, 4).map((line) => line.split(',')[0])).toEqual(['0', '2', '4']);
+});
+
+test('writing that is cancelled ends after the part under way, with nothing', async () => {
+  const trajectory = new Trajectory(['t', 'x']);
+  trajectory.append(rowsFrom(0, 90_000), 90_000);
+  const given = new AbortController();
+  let asked = 0;
+  const client = new CsvClient(() => writer((part) => { asked = part; if (part === 2) given.abort(); }));
+  expect(await client.write(trajectory, [], { signal: given.signal })).toBeNull();
+  expect(asked).toBe(2);
 });

@@ -8,6 +8,7 @@ import { prepareVisit } from './app/visit.ts';
 import { formulations } from './core/dynamics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
 import { tools } from './tools/tools.ts';
+import './ui/letGo.ts';
 import { Shell } from './ui/shell.tsx';
 import { connectScene } from './sceneBridge.ts';
 

@@ -20,6 +20,7 @@ export function CurvePane({ app, runs, x, y, zoom, equal, label, testId }: {
 }) {
   const host = useRef<HTMLDivElement>(null);
   const plot = useRef<OverlayPlot | null>(null);
+  // No function below may hold `runs` itself: those of the first drawing would stay in memory as long as the plot.
   const latest = useRef(runs);
   latest.current = runs;
   useEffect(() => {
@@ -47,8 +48,8 @@ export function CurvePane({ app, runs, x, y, zoom, equal, label, testId }: {
     };
   }, []);
   useEffect(() => {
-    plot.current?.setCurves(curvesOf(runs, x, y));
-    plot.current?.setCursor(x.name === 't' ? app.state.time.peek() : 0, runs.map((run) => pointAt(run, x, y, app.state.time.peek())));
+    plot.current?.setCurves(curvesOf(latest.current, x, y));
+    plot.current?.setCursor(x.name === 't' ? app.state.time.peek() : 0, latest.current.map((run) => pointAt(run, x, y, app.state.time.peek())));
   }, [runs]);
   return <div ref={host} class={`overlay-plot${equal ? ' square-plot' : ''}`} role="img" aria-label={label} data-testid={testId} />;
 }
@@ -65,8 +66,6 @@ function curvesOf(runs: readonly ShownRun[], x: ColumnInfo, y: ColumnInfo): Over
     };
   });
 }
-
-/** The page's ink, for the run on the stage. */
 
 /** Where a run is at a time; nowhere outside of its own. */
 function pointAt({ motion: { trajectory } }: ShownRun, x: ColumnInfo, y: ColumnInfo, time: number): readonly [number, number] | null {

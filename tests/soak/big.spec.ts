@@ -66,7 +66,7 @@ test('100 MB with 21 columns plays', async ({ page }) => {
     await pause(page);
     const after = await scrubbed(page);
     const scrubbing = await longTasks(page);
-    const { buffers } = await gauges.memory();
+    const buffers = await gauges.buffers();
     console.log(slow, await slowScripts(page));
     keep('table-100', {
       what: `a CSV file of ${MB(file.bytes)}, 21 columns, ${file.rows.toLocaleString('en')} rows`,
@@ -118,7 +118,7 @@ test('1 GB is read with progress, and cancelled', async ({ page }) => {
       became: `cancelled after a tenth within ${waited.toFixed(0)} ms, the work before stayed, ${MB(cancelled.buffers)} of buffers left; then read, plays after ${seconds.toFixed(0)} s`,
       tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)}`,
       seeks: `while it loads ${seeks(during)}; then ${seeks(after)}`,
-      memory: `${MB((await gauges.memory()).buffers)} of columns, page at most ${MB(peak())}`,
+      memory: `${MB(await gauges.buffers())} of columns, page at most ${MB(peak())}`,
     });
     console.log(await slowScripts(page));
     expect(watch).toEqual({ errors: [], foreign: [] });
@@ -158,7 +158,7 @@ test('an hour at 1 kHz', async ({ page }) => {
     became: `computed in ${seconds.toFixed(0)} s, plays meanwhile`,
     tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)} (scrubbing after: ${told(scrubbing)})`,
     seeks: `while it comes ${seeks(during)}; then ${seeks(after)}`,
-    memory: `${MB((await gauges.memory()).buffers)} of columns, page at most ${MB(peak())}`,
+    memory: `${MB(await gauges.buffers())} of columns, page at most ${MB(peak())}`,
   });
   expect(watch).toEqual({ errors: [], foreign: [] });
 });

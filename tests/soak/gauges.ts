@@ -3,8 +3,9 @@ import { readFileSync } from 'node:fs';
 import type { CDPSession, Page } from '@playwright/test';
 
 export interface Reading {
-  /** Bytes of script objects, and of the buffers they hold (columns, meshes). */
-  heap: number;
+  /** Bytes of script objects, of the code compiled for them, and of the buffers they hold (columns, meshes). */
+  objects: number;
+  code: number;
   buffers: number;
   nodes: number;
   listeners: number;
@@ -27,10 +28,26 @@ export class Gauges {
     return new Gauges(page, await page.context().newCDPSession(page));
   }
 
-  /** Heap and buffers as they are, in bytes. */
-  async memory(): Promise<{ heap: number; buffers: number }> {
-    const { usedSize, backingStorageSize = 0 } = (await this.session.send('Runtime.getHeapUsage')) as { usedSize: number; backingStorageSize?: number };
-    return { heap: usedSize, buffers: backingStorageSize };
+  /** Buffers as they are, in bytes. */
+  async buffers(): Promise<number> {
+    const { backingStorageSize = 0 } = (await this.session.send('Runtime.getHeapUsage')) as { backingStorageSize?: number };
+    return backingStorageSize;
+  }
+
+  /** Bytes of what can be reached, by kind: the engine goes on compiling for hours, which says nothing about what the page holds. */
+  private async reachable(): Promise<{ objects: number; code: number }> {
+    const parts: string[] = [];
+    const listen = ({ chunk }: { chunk: string }): void => void parts.push(chunk);
+    this.session.on('HeapProfiler.addHeapSnapshotChunk', listen);
+    await this.session.send('HeapProfiler.takeHeapSnapshot', { reportProgress: false });
+    this.session.off('HeapProfiler.addHeapSnapshotChunk', listen);
+    const { snapshot: { meta }, nodes } = JSON.parse(parts.join('')) as { snapshot: { meta: { node_fields: string[]; node_types: [string[]] } }; nodes: number[] };
+    const [kinds, width, size] = [meta.node_types[0], meta.node_fields.length, meta.node_fields.indexOf('self_size')];
+    const sum = new Map<string, number>();
+    // The kind comes first.
+    for (let i = 0; i < nodes.length; i += width) sum.set(kinds[nodes[i]!]!, (sum.get(kinds[nodes[i]!]!) ?? 0) + nodes[i + size]!);
+    const of = (...names: string[]): number => names.reduce((total, name) => total + (sum.get(name) ?? 0), 0);
+    return { objects: of('object', 'array', 'string', 'concatenated string', 'sliced string', 'closure', 'number', 'symbol', 'bigint', 'regexp', 'object shape'), code: of('code') };
   }
 
   /** After everything unreachable has been collected. */
@@ -40,7 +57,7 @@ export class Gauges {
     for (let k = 0; k < 2; k++) await session.send('HeapProfiler.collectGarbage');
     const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters');
     const { geometries = 0, textures = 0, programs = 0 } = await page.evaluate(() => window.ripstikScene?.stats() ?? ({} as Partial<Reading>));
-    return { ...(await this.memory()), nodes, listeners: jsEventListeners, workers: page.workers().length, geometries, textures, programs };
+    return { ...(await this.reachable()), buffers: await this.buffers(), nodes, listeners: jsEventListeners, workers: page.workers().length, geometries, textures, programs };
   }
 }
 

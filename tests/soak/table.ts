@@ -12,7 +12,8 @@ interface Told {
 }
 
 const LINES: readonly [keyof Reading, string, (value: number) => string][] = [
-  ['heap', 'script objects', (v) => `${(v / 1e6).toFixed(1)} MB`],
+  ['objects', 'script objects', (v) => `${(v / 1e6).toFixed(1)} MB`],
+  ['code', 'compiled code', (v) => `${(v / 1e6).toFixed(1)} MB`],
   ['buffers', 'buffers', (v) => `${(v / 1e6).toFixed(1)} MB`],
   ['nodes', 'DOM nodes', String],
   ['listeners', 'listeners', String],

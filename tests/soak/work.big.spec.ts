@@ -28,7 +28,7 @@ test('a sweep of 200 runs', async ({ page }) => {
   const cpu = await busiest();
   const tasks = await longTasks(page);
   console.log(await slowScripts(page));
-  keep('sweep', { what: 'a sweep of 200 runs over the speed, in all workers', became: `ended after ${seconds.toFixed(1)} s`, tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)}`, seeks: '–', memory: `${MB((await gauges.memory()).buffers)} of columns` });
+  keep('sweep', { what: 'a sweep of 200 runs over the speed, in all workers', became: `ended after ${seconds.toFixed(1)} s`, tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock ${told(tasks)}`, seeks: '–', memory: `${MB(await gauges.buffers())} of columns` });
   expect(watch).toEqual({ errors: [], foreign: [] });
 });
 
@@ -94,7 +94,7 @@ test('ten million points in the plots', async ({ page }) => {
       became: `from a key that zooms to its second frame ${waits(zooms)}`,
       tasks: `longest ${cpu.toFixed(0)} ms of CPU; by the clock: zooming ${told(zooming)}, seeking ${told(seeking)}`,
       seeks: waits(seeks),
-      memory: `${MB((await gauges.memory()).buffers)} of columns`,
+      memory: `${MB(await gauges.buffers())} of columns`,
     });
     expect(watch).toEqual({ errors: [], foreign: [] });
   } finally {

@@ -30,7 +30,9 @@ export interface LinePlot {
 }
 
 /** Several curves over one x axis, on a canvas. */
-export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlot {
+export function createLinePlot(place: HTMLElement, options: PlotOptions): LinePlot {
+  // Let go when the plot ends: the last uPlot that was made stays in memory, with what its options' functions see.
+  let host: HTMLElement | null = place;
   let plot: uPlot | null = null;
   let shape = '';
   const size = { width: 320, height: 180 };
@@ -52,7 +54,7 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
         series: [{}, ...series.map((s) => ({ label: s.label, stroke: s.color, width: 1.5, dash: s.dash ? [...s.dash] : undefined, points: { show: false }, spanGaps: true }))],
       },
       data,
-      host,
+      host!,
     );
   };
 
@@ -76,7 +78,7 @@ export function createLinePlot(host: HTMLElement, options: PlotOptions): LinePlo
     canvas: () => plot?.ctx.canvas ?? null,
     destroy() {
       plot?.destroy();
-      plot = null;
+      plot = host = null;
     },
   };
 }

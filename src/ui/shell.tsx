@@ -3,7 +3,6 @@ import { useSignal, useSignalEffect } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { App, CaseInfo } from '../app/types.ts';
-import { token } from '../charts/tokens.ts';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from './context.ts';
 import type { FormulationChoice, MethodChoice } from './context.ts';
@@ -90,8 +89,9 @@ function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneTex
 
 function useTheme(app: App): void {
   useSignalEffect(() => {
-    document.documentElement.dataset['theme'] = app.state.theme.value;
-    const surface = token('--surface');
+    const root = document.documentElement;
+    root.dataset['theme'] = app.state.theme.value;
+    const surface = getComputedStyle(root).getPropertyValue('--surface').trim();
     if (surface) document.querySelector('meta[name=theme-color]')?.setAttribute('content', surface);
   });
 }

@@ -11,6 +11,6 @@ export default defineConfig({
   timeout: 0,
   retries: 0,
   reporter: [['list']],
-  use: { ...usual.use, actionTimeout: 20_000 },
+  use: { ...usual.use, actionTimeout: 60_000 },
   webServer: { ...(usual.webServer as { command: string; url: string }), cwd: root, reuseExistingServer: false },
 });

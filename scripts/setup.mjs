@@ -3,6 +3,7 @@
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -149,4 +150,28 @@ export async function build({ show = false } = {}) {
 
 export function readJson(path) {
   return JSON.parse(readFileSync(path, 'utf8'));
+}
+
+/** A port that nothing listens on. */
+export function freePort() {
+  return new Promise((done, fail) => {
+    const probe = createServer().once('error', fail);
+    probe.listen(0, '127.0.0.1', () => {
+      const { port } = probe.address();
+      probe.close(() => done(port));
+    });
+  });
+}
+
+/** Puts a table into docs/robustness.md, between the marks of its name. */
+export function writeTable(name, lines) {
+  const page = join(root, 'docs/robustness.md');
+  const text = readFileSync(page, 'utf8');
+  const [from, to] = [`<!-- ${name} -->`, `<!-- end of ${name} -->`];
+  if (!text.includes(from) || !text.includes(to)) throw new Error(`docs/robustness.md has no place for the ${name}`);
+  writeFileSync(
+    page,
+    `${text.slice(0, text.indexOf(from) + from.length)}\n${lines.join('\n')}\n${text.slice(text.indexOf(to))}`,
+  );
+  console.log(lines.join('\n'));
 }

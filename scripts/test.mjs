@@ -1,10 +1,9 @@
 // npm test: installs what is missing, then types, lint, unit tests, build, tests in a real browser.
 // Every stage that can run does; the exit code is 1 when any failed. The last line is `N passed, N failed`.
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
-import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { findBrowser } from './browser.mjs';
-import { Plain, build, built, cache, install, main, readJson, root, run, runPackage } from './setup.mjs';
+import { Plain, build, built, cache, freePort, install, main, readJson, root, run, runPackage } from './setup.mjs';
 
 const SHOW = { show: true };
 const STAGES = {
@@ -51,16 +50,6 @@ async function browserStage(further) {
   const { code } = await runPackage('@playwright/test/cli.js', ['test', ...further], { show: true, env });
   const { expected = 0, flaky = 0, unexpected = 0, skipped = 0 } = existsSync(report) ? readJson(report).stats : {};
   return { ok: code === 0, passed: expected + flaky, failed: unexpected, skipped };
-}
-
-function freePort() {
-  return new Promise((done, fail) => {
-    const probe = createServer().once('error', fail);
-    probe.listen(0, '127.0.0.1', () => {
-      const { port } = probe.address();
-      probe.close(() => done(port));
-    });
-  });
 }
 
 function selection(args) {

@@ -1,5 +1,5 @@
-import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, COORDINATES, csvOf, drop, ended, numberIn, openPage, pause, seek, type as typeInto, VIEWPORT, withoutScene, workerEvents } from './helpers.ts';
+import { expect, test, type Locator, type Page } from '@playwright/test';
+import { chooseCase, COORDINATES, csvOf, drop, ended, numberIn, openPage, pause, seek, survived, type as typeInto, VIEWPORT, withoutScene, workerEvents } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -15,6 +15,12 @@ async function holdWorkers(page: Page): Promise<void> {
       }
     };
   });
+}
+
+/** What is written there: its title, then its lines. */
+async function said(place: Locator): Promise<string> {
+  const [title, ...lines] = (await place.innerText()).split('\n').map((line) => line.trim().replace(/\.$/, '')).filter(Boolean);
+  return `${title}: ${lines.join('. ')}.`;
 }
 
 const rowsOnStage = (page: Page): Promise<string> => page.getByTestId('end-time').innerText();
@@ -34,6 +40,7 @@ test('a worker that dies: what was computed stays, the page says so, and the nex
   });
   await expect(page.getByTestId('message').first()).toContainText('out of memory');
   await expect(page.getByTestId('message').first()).toContainText('rows computed so far are kept');
+  survived('the worker of a run dies, out of memory', await said(page.getByTestId('message').first()));
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'failed');
   expect(parseFloat(await rowsOnStage(page))).toBeGreaterThan(0.5);
 
@@ -43,6 +50,7 @@ test('a worker that dies: what was computed stays, the page says so, and the nex
   await page.evaluate(() => (window as unknown as { heldWorkers: Worker[] }).heldWorkers.forEach((worker) => worker.terminate()));
   await page.getByTestId('cancel').click();
   await expect(page.getByTestId('message').last()).toContainText('did not answer', { timeout: 15_000 });
+  survived('the worker is silent after a cancel', await said(page.getByTestId('message').last()));
 
   await chooseCase(page, 'released');
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'touchdown');
@@ -59,12 +67,14 @@ test('a lost graphics context comes back; without WebGL files and numbers still 
     }, what);
   await lose('loseContext');
   await expect(page.getByTestId('scene-error')).toBeVisible();
+  const lost = await said(page.getByTestId('scene-error'));
   await lose('restoreContext');
   await expect(page.getByTestId('scene-error')).toHaveCount(0);
   const before = await page.evaluate(() => window.ripstikScene!.stats().frames);
   await page.getByTestId('view-top').click();
   await expect.poll(() => page.evaluate(() => window.ripstikScene!.stats().frames)).toBeGreaterThan(before);
   expect(watch.errors.filter((e) => !/context/i.test(e))).toEqual([]);
+  survived('the graphics context is lost, and comes back', `${lost} Then nothing: the view is there again.`);
 
   const bare = await context.newPage();
   await bare.addInitScript(() => {
@@ -84,6 +94,7 @@ test('a lost graphics context comes back; without WebGL files and numbers still 
   await bare.getByTestId('tool-now').click();
   await expect(bare.getByTestId('now-alpha')).not.toBeEmpty();
   expect(errors).toEqual([]);
+  survived('no WebGL, and every storage forbidden', `In place of the view: ${await said(bare.getByTestId('scene-error'))}`);
 });
 
 interface Clock {
@@ -151,6 +162,7 @@ test('a tab that was hidden and a machine that slept: playing goes on from where
   await page.waitForTimeout(1300);
   expect(await page.locator('.held').allInnerTexts()).not.toContain(expect.stringMatching(/0[.,]00/));
   expect(watch.errors).toEqual([]);
+  survived('the machine sleeps for an hour while a motion plays, its tab hidden', 'Nothing: it goes on from where it was; what was typed last had been stored.');
 });
 
 test('a run that is computed while the tab is hidden is all there; one that is pushed by hand waits, and does not make up an hour', async ({ page }) => {
@@ -165,6 +177,7 @@ test('a run that is computed while the tab is hidden is all there; one that is p
   await page.getByTestId('cancel').click();
   await ended(page, 3, 'cancelled');
   expect(await numberIn(page, 'end-time')).toBeGreaterThan(20);
+  survived('the tab is hidden while a run is computed', 'Nothing: no pictures are asked for, the rows come.');
 
   await chooseCase(page, 'balanced');
   await ended(page, 4, 'end');
@@ -184,6 +197,7 @@ test('a run that is computed while the tab is hidden is all there; one that is p
   await page.getByTestId('push-none').click();
   await ended(page, 5, 'end');
   expect(watch.errors).toEqual([]);
+  survived('the same while a hand pushes the run', 'Nothing: the run waits for what is seen, and does not make up the hour.');
 });
 
 test('storage that becomes full: it is said once, the work goes on, and what was stored before is still there', async ({ page }) => {
@@ -207,6 +221,34 @@ test('storage that becomes full: it is said once, the work goes on, and what was
   await page.getByTestId('run').click();
   await expect(page.getByTestId('end-time')).toHaveText(/^4\.000\s/);
   await expect(page.getByTestId('message')).toHaveCount(1);
+  survived('the storage becomes full', `Once: ${await said(page.getByTestId('message'))}`);
   expect(await page.evaluate(() => localStorage.getItem('ripstik.work'))).toContain('"duration":3');
   expect(errors).toEqual([]);
+});
+
+test('a file that is given up, and one that cannot be written: the work before stays, and the next one comes', async ({ page }) => {
+  const watch = await openPage(page);
+  const stage = await rowsOnStage(page);
+  const rows = Array.from({ length: 10_000 }, (_, k) => ({ ...Object.fromEntries(COORDINATES.map((name) => [name, 0.125])), t: k / 100 }));
+  await drop(page, 'long.csv', csvOf(rows, ['t', ...COORDINATES]), 100);
+  await page.getByTestId('cancel-reading').evaluate((button: HTMLButtonElement) => button.click());
+  await expect(page.getByTestId('message').last()).toContainText('was not read to its end');
+  expect(await rowsOnStage(page)).toBe(stage);
+  survived('reading a large file is given up', await said(page.getByTestId('message').last()));
+
+  await page.evaluate(() => {
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (this: Worker) {
+      Worker.prototype.postMessage = post;
+      queueMicrotask(() => this.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' })));
+    };
+  });
+  await page.getByTestId('export-menu').click();
+  await page.getByTestId('export-csv').click();
+  await expect(page.getByTestId('message').last()).toContainText('was not written');
+  survived('a CSV file cannot be written: its worker dies', await said(page.getByTestId('message').last()));
+  await page.getByTestId('export-menu').click();
+  const [file] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-csv').click()]);
+  expect(await file.failure()).toBeNull();
+  expect(watch.errors).toEqual([]);
 });

@@ -102,17 +102,17 @@ export async function drawn(page: Page): Promise<void> {
 
 // ── files
 
-/** Drops a file on the scene as a person does: enter, over, drop. */
-export async function drop(page: Page, name: string, text: string): Promise<void> {
+/** Drops a file on the scene as a person does: enter, over, drop. Of so many `times` the text. */
+export async function drop(page: Page, name: string, text: string, times = 1): Promise<void> {
   await page.getByTestId('scene').evaluate(
     (target, file) => {
       const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([file.text], file.name, { type: 'text/csv' }));
+      dataTransfer.items.add(new File(Array<string>(file.times).fill(file.text), file.name, { type: 'text/csv' }));
       for (const type of ['dragenter', 'dragover', 'drop']) {
         target.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
       }
     },
-    { name, text },
+    { name, text, times },
   );
 }
 
@@ -259,6 +259,11 @@ export async function differingPixels(page: Page, a: Buffer, b: Buffer, box?: Bo
 export function measured(figure: string): void {
   test.info().annotations.push({ type: 'measured', description: figure });
   console.log(figure);
+}
+
+/** A fault that was injected and survived, with what the page said of it: `npm run faults` makes its table of these. */
+export function survived(fault: string, said: string, lost = 'nothing'): void {
+  test.info().annotations.push({ type: 'fault', description: JSON.stringify([fault, said, lost]) });
 }
 
 export const medianOf = (list: readonly number[]): number => [...list].sort((a, b) => a - b)[list.length >> 1]!;

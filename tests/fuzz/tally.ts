@@ -9,13 +9,18 @@ export const SEED = Number(process.env['FUZZ_SEED'] ?? 20171208);
 
 export const runs = (n: number): number => Math.ceil(n * LENGTH);
 
-/** Counts by what happened; kept for the table when the suite ends. */
-export function tally(suite: string): (what: string, by?: number) => void {
+/** Counts by what happened, and the time that runs reached, s; kept for the table when the suite ends. */
+export function tally(suite: string): (what: string, seconds?: number) => void {
   const counts: Record<string, number> = {};
+  let [tried, simulated] = [0, 0];
   afterAll(() => {
     if (LENGTH <= 1) return;
     mkdirSync('.cache/fuzz', { recursive: true });
-    writeFileSync(`.cache/fuzz/${suite}.json`, JSON.stringify({ suite, seed: SEED, length: LENGTH, counts }, null, 1));
+    writeFileSync(`.cache/fuzz/${suite}.json`, JSON.stringify({ suite, seed: SEED, length: LENGTH, tried, simulated, counts }, null, 1));
   });
-  return (what, by = 1) => void (counts[what] = (counts[what] ?? 0) + by);
+  return (what, seconds = 0) => {
+    tried++;
+    simulated += seconds;
+    counts[what] = (counts[what] ?? 0) + 1;
+  };
 }

@@ -131,7 +131,8 @@ export class Labels {
     return texture;
   }
 
-  private forget(): void {
+  /** Writes every label anew. */
+  forget(): void {
     this.forgetTextures();
     this.shown = '';
   }

@@ -7,6 +7,7 @@ import { Focus } from './focus.ts';
 import { METRES_PER_NEWTON } from './forces.ts';
 import { Grab } from './grab.ts';
 import { Inset } from './inset.ts';
+import { letGoOfUploads } from './letGo.ts';
 import { palettes } from './palette.ts';
 import { Parts } from './parts.ts';
 import { boxOnScreen, onFacingPlane, pickBody, projected } from './picking.ts';
@@ -156,6 +157,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       cancelAnimationFrame(requested);
       requested = 0;
       grab.release();
+      parts.labels.forget();
+      letGoOfUploads(scene);
       options.onContextLost?.();
     },
     () => {

@@ -158,7 +158,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       requested = 0;
       grab.release();
       parts.labels.forget();
-      letGoOfUploads(scene);
+      letGoOfUploads(scene, (material) => (renderer.properties.get(material) as { uniforms?: Record<string, { value: unknown }> }).uniforms);
       options.onContextLost?.();
     },
     () => {

@@ -31,7 +31,7 @@ test('a context that is lost: everything in the scene drops what the old state l
   expect(told.size).toBeGreaterThan(20);
   const before: Object3D[] = [];
   scene.traverse((object) => before.push(object));
-  letGoOfUploads(scene);
+  letGoOfUploads(scene, (material) => (material instanceof ShaderMaterial ? material.uniforms : undefined));
   expect([...told.values()].filter((times) => times !== 1)).toEqual([]);
   const after: Object3D[] = [];
   scene.traverse((object) => after.push(object));

@@ -58,12 +58,12 @@ export class Room {
     this.make();
   }
 
-  /** After the context was lost. */
-  restore(): void {
-    const had = this.parts.lights.hasRoom;
+  /** The context is lost, and with it the room: what there was, or was to come, is made again when there is one. */
+  lose(): void {
+    if (this.state === 'made' || this.state === 'coming') this.state = 'wanted';
+    if (!this.parts.lights.hasRoom) return;
     this.parts.lights.dropRoom();
     this.changed();
-    if (had) this.state = 'wanted';
   }
 
   dispose(): void {

@@ -157,13 +157,13 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       cancelAnimationFrame(requested);
       requested = 0;
       grab.release();
+      room.lose();
       parts.labels.forget();
       letGoOfUploads(scene, (material) => (renderer.properties.get(material) as { uniforms?: Record<string, { value: unknown }> }).uniforms);
       options.onContextLost?.();
     },
     () => {
       lost = false;
-      room.restore(); // its picture was on the card
       requestRender();
       options.onContextRestored?.();
     },

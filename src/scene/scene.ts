@@ -7,7 +7,7 @@ import { Focus } from './focus.ts';
 import { METRES_PER_NEWTON } from './forces.ts';
 import { Grab } from './grab.ts';
 import { Inset } from './inset.ts';
-import { letGoOfUploads } from './letGo.ts';
+import { letGoOfUploads } from './lostContext.ts';
 import { palettes } from './palette.ts';
 import { Parts } from './parts.ts';
 import { boxOnScreen, onFacingPlane, pickBody, projected } from './picking.ts';

@@ -1,5 +1,5 @@
 import { expect, test, type Locator, type Page } from '@playwright/test';
-import { chooseCase, COORDINATES, csvOf, drop, ended, numberIn, openPage, pause, seek, survived, type as typeInto, VIEWPORT, withoutScene, workerEvents } from './helpers.ts';
+import { chooseCase, COORDINATES, csvOf, differingPixels, drawn, drop, ended, numberIn, openPage, pause, picture, seek, survived, type as typeInto, VIEWPORT, withoutScene, workerEvents } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -65,11 +65,17 @@ test('a lost graphics context comes back; without WebGL files and numbers still 
       shared.lost ??= canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
       shared.lost[name]();
     }, what);
+  await pause(page);
+  await seek(page, 2);
+  await drawn(page);
+  const seen = await picture(page);
   await lose('loseContext');
   await expect(page.getByTestId('scene-error')).toBeVisible();
   const lost = await said(page.getByTestId('scene-error'));
   await lose('restoreContext');
   await expect(page.getByTestId('scene-error')).toHaveCount(0);
+  await drawn(page);
+  expect(await differingPixels(page, seen, await picture(page))).toBeLessThan(20);
   const before = await page.evaluate(() => window.ripstikScene!.stats().frames);
   await page.getByTestId('view-top').click();
   await expect.poll(() => page.evaluate(() => window.ripstikScene!.stats().frames)).toBeGreaterThan(before);

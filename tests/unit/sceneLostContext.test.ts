@@ -4,7 +4,7 @@ import { boardBodies } from '../../src/core/models/board.ts';
 import { generateModels } from '../../src/core/models/index.ts';
 import { Bodies } from '../../src/scene/bodies.ts';
 import { Forces } from '../../src/scene/forces.ts';
-import { letGoOfUploads } from '../../src/scene/letGo.ts';
+import { letGoOfUploads } from '../../src/scene/lostContext.ts';
 import { Lights } from '../../src/scene/lights.ts';
 import { palettes } from '../../src/scene/palette.ts';
 

@@ -103,8 +103,8 @@ function OperatingPoint({ control, meta, change }: Part) {
         const angle = coordinate?.kind === 'angle';
         const unit = rate ? (angle ? '°/s' : 'm/s') : angle ? '°' : 'm';
         return (
-          <NumberField key={name} symbol={coordinate ? (rate ? `${coordinate.symbol}′` : coordinate.symbol) : 'v'} testId={`lqr-at-${name}`} spec={{
-            path: `control.at.${name}`, label: coordinate ? coordinate.label : text.lqr.speed, unit, angle, optional: true, value: control.at?.[name], base: base?.[name],
+          <NumberField key={name} symbol={coordinate?.symbol ?? 'v'} rate={rate && coordinate !== undefined} testId={`lqr-at-${name}`} spec={{
+            path: `control.at.${name}`, label: !coordinate ? text.lqr.speed : rate ? text.lqr.rateOf(coordinate.label) : coordinate.label, unit, angle, optional: true, value: control.at?.[name], base: base?.[name],
             rest: rate ? 0 : (coordinate?.rest ?? 0), step: rate && !angle ? 0.1 : 1, commit: (value) => change({ at: changed(control.at, name, value) }),
           }} />
         );
@@ -138,7 +138,7 @@ function Weights({ control, meta, change }: Part) {
   const row = (coordinate: CoordinateMeta, rate: boolean) => {
     const name = rate ? `${coordinate.name}_dot` : coordinate.name;
     return (
-      <Weight key={name} kind="Q" name={name} symbol={rate ? `${coordinate.symbol}′` : coordinate.symbol} label={rate ? text.lqr.rateOf(coordinate.label) : coordinate.label}
+      <Weight key={name} kind="Q" name={name} symbol={coordinate.symbol} rate={rate} label={rate ? text.lqr.rateOf(coordinate.label) : coordinate.label}
         value={Q[name]} zero commit={(value) => change({ Q: { ...Q, [name]: value } })} />
     );
   };
@@ -165,14 +165,14 @@ function Weights({ control, meta, change }: Part) {
 }
 
 /** A weight: slider over powers of ten, and the number typed. */
-function Weight({ kind, name, symbol, label, value, zero = false, commit }: {
-  kind: 'Q' | 'R'; name: string; symbol: string; label: string; value: NumberOrExpression | undefined; zero?: boolean; commit(value: number): void;
+function Weight({ kind, name, symbol, rate = false, label, value, zero = false, commit }: {
+  kind: 'Q' | 'R'; name: string; symbol: string; rate?: boolean; label: string; value: NumberOrExpression | undefined; zero?: boolean; commit(value: number): void;
 }) {
   const number = numberOf(value, 0);
   const place = number > 0 ? Math.min(MOST, Math.max(zero ? LEAST + STEP : LEAST, Math.log10(number))) : LEAST;
   return (
     <div class="weight">
-      <NumberField symbol={symbol} testId={`weight-${name}`} spec={{
+      <NumberField symbol={symbol} rate={rate} testId={`weight-${name}`} spec={{
         path: `control.${kind}.${name}`, label, angle: false, numeric: true, value, base: value, rest: 0, step: number > 0 ? 10 ** Math.floor(Math.log10(number)) : 1,
         ...(zero ? { min: 0 } : { positive: true }), commit: (typed) => commit(numberOf(typed, zero ? 0 : 1)),
       }} />

@@ -47,8 +47,10 @@ export function FieldError({ id, error }: { id: string; error: string | null }) 
 }
 
 /** One row: symbol, name, value, unit. */
-export function NumberField({ symbol, spec, testId, placeholder, note }: {
+export function NumberField({ symbol, rate, spec, testId, placeholder, note }: {
   symbol?: string;
+  /** The symbol is that of a rate. */
+  rate?: boolean | undefined;
   spec: NumberSpec;
   testId?: string;
   placeholder?: string;
@@ -60,7 +62,7 @@ export function NumberField({ symbol, spec, testId, placeholder, note }: {
     <div class="field">
       {symbol !== undefined && (
         <span class="handle" title={text.panel.scrub} {...field.scrub}>
-          <MathSymbol of={symbol} />
+          <MathSymbol of={symbol} rate={rate} />
         </span>
       )}
       <label for={id} class="name" title={note}>{spec.label}</label>

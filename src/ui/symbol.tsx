@@ -1,8 +1,8 @@
-/** `α_fp` set with its subscript. */
-export function MathSymbol({ of }: { of: string }) {
+/** `α_fp` set with its subscript; a rate has a dot over its letter, drawn, for few fonts have one that sits well. */
+export function MathSymbol({ of, rate = false }: { of: string; rate?: boolean | undefined }) {
   const [base, ...rest] = of.split('_');
   return (
-    <span class="symbol" aria-hidden="true">
+    <span class={`symbol${rate ? ' dotted' : ''}`} aria-hidden="true">
       {base}
       {rest.length > 0 && <sub>{rest.join('_')}</sub>}
     </span>

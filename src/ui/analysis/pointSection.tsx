@@ -63,7 +63,7 @@ function PointField({ name, names }: { name: string; names: ReadonlyMap<string, 
     path: `${pointPath(draft)}.${name}`, label: state?.label ?? name, unit, angle: state?.angle ?? false, optional: true, rest: 0, step: state?.angle ? 1 : 0.1,
     value: pointOf(draft)[name], base: origin && pointOf(origin)[name], commit: (value) => setPoint(ui, name, value),
   };
-  return <div class={state?.rate ? 'dotted' : undefined}><NumberField symbol={state?.symbol ?? 'v'} spec={spec} placeholder={words.rest} testId={`point-${name}`} /></div>;
+  return <NumberField symbol={state?.symbol ?? 'v'} rate={state?.rate} spec={spec} placeholder={words.rest} testId={`point-${name}`} />;
 }
 
 function Motion({ analysis: { point }, names, system }: { analysis: ControlAnalysis; names: ReadonlyMap<string, StateName>; system: SystemView }) {

@@ -119,6 +119,11 @@ export class Soak {
       for (const { id } of state.kept.value) kept.remove(id);
     });
     await page.getByTestId('scrubber').fill('3');
+    // Seen from where a visit begins: which labels of the ground are in the picture, and on the card, depends on it.
+    for (const view of ['top', 'orbit']) {
+      await page.evaluate((name) => { window.ripstikApp.state.view.value = name; }, view);
+      await drawn(page);
+    }
     for (const on of [true, false]) {
       await page.evaluate((value) => {
         const { state: { look, showForces, theme } } = window.ripstikApp;

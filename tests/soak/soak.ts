@@ -144,7 +144,7 @@ export class Soak {
 }
 
 /** Above the start: of script objects, of buffers (bytes), of nodes and listeners. Workers and what the graphics card holds come back exactly. */
-export const TOLERANCE = { objects: 4e6, buffers: 8e6, nodes: 2500, listeners: 400 } as const;
+export const TOLERANCE = { objects: 2e6, buffers: 4e6, nodes: 1500, listeners: 400 } as const;
 
 /** @throws when something did not come back */
 export function expectReturned(start: Reading, end: Reading): void {

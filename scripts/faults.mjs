@@ -8,7 +8,7 @@ main(async () => {
   const { code } = await run(process.execPath, [join(root, 'scripts/test.mjs'), 'browser', 'faults.spec'], { show: true });
   if (code !== 0) return code;
   const annotations = specsIn(readJson(join(cache, 'browser.json'))).flatMap((spec) => spec.tests.flatMap((test) => test.annotations));
-  const rows = annotations.filter(({ type }) => type === 'fault').map(({ description }) => `| ${JSON.parse(description).join(' | ')} |`);
+  const rows = annotations.filter(({ type }) => type === 'fault').map(({ description }) => `| ${JSON.parse(description).join(' | ')} | nothing |`);
   writeTable('faults', ['| fault | what the page says | lost |', '|---|---|---|', ...rows, '', '`npm run faults`']);
   return 0;
 });

@@ -104,7 +104,7 @@ function OperatingPoint({ control, meta, change }: Part) {
         const unit = rate ? (angle ? '°/s' : 'm/s') : angle ? '°' : 'm';
         return (
           <NumberField key={name} symbol={coordinate?.symbol ?? 'v'} rate={rate && coordinate !== undefined} testId={`lqr-at-${name}`} spec={{
-            path: `control.at.${name}`, label: !coordinate ? text.lqr.speed : rate ? text.lqr.rateOf(coordinate.label) : coordinate.label, unit, angle, optional: true, value: control.at?.[name], base: base?.[name],
+            path: `control.at.${name}`, label: coordinate ? labelOf(coordinate, rate) : text.lqr.speed, unit, angle, optional: true, value: control.at?.[name], base: base?.[name],
             rest: rate ? 0 : (coordinate?.rest ?? 0), step: rate && !angle ? 0.1 : 1, commit: (value) => change({ at: changed(control.at, name, value) }),
           }} />
         );
@@ -138,7 +138,7 @@ function Weights({ control, meta, change }: Part) {
   const row = (coordinate: CoordinateMeta, rate: boolean) => {
     const name = rate ? `${coordinate.name}_dot` : coordinate.name;
     return (
-      <Weight key={name} kind="Q" name={name} symbol={coordinate.symbol} rate={rate} label={rate ? text.lqr.rateOf(coordinate.label) : coordinate.label}
+      <Weight key={name} kind="Q" name={name} symbol={coordinate.symbol} rate={rate} label={labelOf(coordinate, rate)}
         value={Q[name]} zero commit={(value) => change({ Q: { ...Q, [name]: value } })} />
     );
   };
@@ -187,6 +187,8 @@ function Weight({ kind, name, symbol, rate = false, label, value, zero = false, 
 
 const chosenInputs = (control: LqrControl, meta: SystemMeta): readonly Pick<InputMeta, 'name' | 'symbol' | 'label' | 'unit'>[] =>
   control.inputs.map((name) => meta.inputs.find((i) => i.name === name) ?? { name, symbol: name, label: text.panel.rawForce, unit: text.panel.siUnit });
+
+const labelOf = ({ label }: CoordinateMeta, rate: boolean): string => (rate ? text.lqr.rateOf(label) : label);
 
 function stateOf(meta: SystemMeta, name: string): { coordinate: CoordinateMeta | undefined; rate: boolean } {
   const direct = meta.coordinates.find((c) => c.name === name);

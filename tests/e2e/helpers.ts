@@ -262,8 +262,8 @@ export function measured(figure: string): void {
 }
 
 /** A fault that was injected and survived, with what the page said of it: `npm run faults` makes its table of these. */
-export function survived(fault: string, said: string, lost = 'nothing'): void {
-  test.info().annotations.push({ type: 'fault', description: JSON.stringify([fault, said, lost]) });
+export function survived(fault: string, said: string): void {
+  test.info().annotations.push({ type: 'fault', description: JSON.stringify([fault, said]) });
 }
 
 export const medianOf = (list: readonly number[]): number => [...list].sort((a, b) => a - b)[list.length >> 1]!;

@@ -24,7 +24,7 @@ export default tseslint.config(
   },
   {
     // Rules that need types: only where a forgotten promise or a wrong condition is a real fault.
-    files: ['src/**/*.{ts,tsx}', 'tests/**/*.{ts,tsx}'],
+    files: ['src/**/*.{ts,tsx}', 'tests/**/*.{ts,tsx}', 'tools/**/*.ts'],
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {
       '@typescript-eslint/no-floating-promises': 'error',
@@ -39,5 +39,8 @@ export default tseslint.config(
     languageOptions: { globals: { console: 'readonly', process: 'readonly', URL: 'readonly' } },
     rules: { 'no-undef': 'error' },
   },
-  { files: ['src/cli/**', 'scripts/**', 'tests/**'], rules: { 'no-console': 'off' } },
+  {
+    files: ['src/cli/**', 'scripts/**', 'tests/**', 'tools/**', 'src/**/*.{test,spec}.ts'],
+    rules: { 'no-console': 'off' },
+  },
 );

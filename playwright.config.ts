@@ -12,7 +12,8 @@ const gl =
     : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 export default defineConfig({
-  testDir: 'tests/e2e',
+  testDir: '.',
+  testMatch: ['tests/browser/**/*.spec.ts', 'src/features/**/*.spec.ts'],
   outputDir: '.cache/browser-results',
   workers: 1,
   retries: process.env.CI ? 1 : 0,
@@ -24,7 +25,10 @@ export default defineConfig({
     baseURL: address,
     viewport: { width: 1000, height: 640 },
     // The first minute is a visitor's; the tests of it take the flag away.
-    storageState: { cookies: [], origins: [{ origin: new URL(address).origin, localStorage: [{ name: 'ripstik.tour', value: 'seen' }] }] },
+    storageState: {
+      cookies: [],
+      origins: [{ origin: new URL(address).origin, localStorage: [{ name: 'ripstik.tour', value: 'seen' }] }],
+    },
     deviceScaleFactor: 1,
     locale: 'en-US',
     timezoneId: 'UTC',

@@ -12,7 +12,10 @@ const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): 
 const woff2Only = {
   name: 'woff2-only',
   enforce: 'pre' as const,
-  transform: (code: string, id: string) => (/katex[\w.-]*\.css/.test(id) ? code.replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\(["'](?:woff|truetype)["']\)/g, '') : undefined),
+  transform: (code: string, id: string) =>
+    /katex[\w.-]*\.css/.test(id)
+      ? code.replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\(["'](?:woff|truetype)["']\)/g, '')
+      : undefined,
 };
 
 /** The development server puts style sheets into the page as elements, which the page's own policy forbids. */
@@ -27,10 +30,16 @@ export default defineConfig({
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
   plugins: [woff2Only, developersStyles, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 1500, assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined), rolldownOptions: { output: { chunkFileNames } } },
+  build: {
+    target: 'es2022',
+    sourcemap: false,
+    chunkSizeWarningLimit: 1500,
+    assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
+    rolldownOptions: { output: { chunkFileNames } },
+  },
   worker: { format: 'es', rolldownOptions: { output: { chunkFileNames } } },
   test: {
-    include: ['tests/**/*.test.{ts,tsx}'], // tests/e2e holds *.spec.ts, for Playwright
+    include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright
     environment: 'node',
     testTimeout: 120_000, // no test asserts a time; this one only ends a test that hangs
     hookTimeout: 120_000,

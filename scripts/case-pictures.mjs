@@ -22,20 +22,30 @@ const SCENE_ONLY = `
 export async function casePictures(browser, address, wanted) {
   mkdirSync(join(root, 'public/cases'), { recursive: true });
   for (const theme of ['light', 'dark']) {
-    const context = await browser.newContext({ viewport: SIZE, colorScheme: theme, reducedMotion: 'reduce', locale: 'en-US', timezoneId: 'UTC', bypassCSP: true });
+    const context = await browser.newContext({
+      viewport: SIZE,
+      colorScheme: theme,
+      reducedMotion: 'reduce',
+      locale: 'en-US',
+      timezoneId: 'UTC',
+      bypassCSP: true,
+    });
     const page = await context.newPage();
     page.on('pageerror', (error) => console.error(`page: ${error.message}`));
     await page.goto(address);
     await page.waitForFunction(() => window.ripstikScene?.stats().bodies > 0);
     await page.addStyleTag({ content: SCENE_ONLY });
-    const all = await page.evaluate(() => window.ripstikApp.cases.map(({ id, picture = {}, figures = [] }) => ({ id, picture, figures })));
+    const all = await page.evaluate(() =>
+      window.ripstikApp.cases.map(({ id, picture = {}, figures = [] }) => ({ id, picture, figures })),
+    );
     for (const { id, picture, figures } of all.filter((c) => wanted.length === 0 || wanted.includes(c.id))) {
       await runCase(page, id);
       const png = await shoot(page, picture);
       if (theme === 'light') save('docs/cases', id, await webp(page, png, SIZE, QUALITY.full));
       save('public/cases', `${id}-${theme}`, await webp(page, png, CARD, QUALITY.card));
       if (theme === 'light') {
-        for (const [i, figure] of figures.entries()) save('docs/cases', `${id}-${i + 1}`, await webp(page, await shoot(page, figure), SIZE, QUALITY.full));
+        for (const [i, figure] of figures.entries())
+          save('docs/cases', `${id}-${i + 1}`, await webp(page, await shoot(page, figure), SIZE, QUALITY.full));
       }
       console.log(`${id} ${theme}`);
     }
@@ -49,7 +59,10 @@ async function runCase(page, id) {
   await page.evaluate(async (which) => {
     const { state, actions } = window.ripstikApp;
     actions.loadCase(which);
-    const met = () => state.origin.value.id === which && state.run.value?.kind === 'ended' && state.motion.value?.written === state.draft.value;
+    const met = () =>
+      state.origin.value.id === which &&
+      state.run.value?.kind === 'ended' &&
+      state.motion.value?.written === state.draft.value;
     while (!met()) await new Promise((done) => setTimeout(done, 30));
     actions.pause();
     actions.seek(state.motion.value.trajectory.start);
@@ -60,15 +73,23 @@ async function runCase(page, id) {
 
 /** A picture of the scene as a PNG; `time`, `view` and `distance` as a case has them. */
 async function shoot(page, { time, view = 'orbit', distance = 1 }) {
-  await page.evaluate(([at, name]) => {
-    const { state, actions } = window.ripstikApp;
-    actions.seek(at ?? 0.4 * state.motion.value.trajectory.end);
-    // A view looks at the subject where it is when it is chosen.
-    state.view.value = name === 'side' ? 'front' : 'side';
-    state.view.value = name;
-  }, [time, view]);
+  await page.evaluate(
+    ([at, name]) => {
+      const { state, actions } = window.ripstikApp;
+      actions.seek(at ?? 0.4 * state.motion.value.trajectory.end);
+      // A view looks at the subject where it is when it is chosen.
+      state.view.value = name === 'side' ? 'front' : 'side';
+      state.view.value = name;
+    },
+    [time, view],
+  );
   const steps = Math.log(distance) / -Math.log(ZOOM_STEP);
-  await page.locator('[data-testid="scene"]').evaluate((canvas, deltaY) => canvas.dispatchEvent(new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true })), 100 * steps);
+  await page
+    .locator('[data-testid="scene"]')
+    .evaluate(
+      (canvas, deltaY) => canvas.dispatchEvent(new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true })),
+      100 * steps,
+    );
   await quiet(page);
   return page.screenshot({ animations: 'disabled' });
 }
@@ -77,7 +98,7 @@ async function shoot(page, { time, view = 'orbit', distance = 1 }) {
 async function quiet(page) {
   await page.evaluate(async (still) => {
     const frames = () => window.ripstikScene.stats().frames;
-    for (let before = -1; before !== frames(); ) {
+    for (let before = -1; before !== frames();) {
       before = frames();
       await new Promise((done) => setTimeout(done, still));
     }
@@ -86,15 +107,18 @@ async function quiet(page) {
 
 /** A PNG as WebP of this size, made by the browser. */
 export async function webp(page, png, { width, height }, quality) {
-  const url = await page.evaluate(async ([source, w, h, share]) => {
-    const image = new Image();
-    image.src = source;
-    await image.decode();
-    const canvas = Object.assign(document.createElement('canvas'), { width: w, height: h });
-    const context = canvas.getContext('2d');
-    context.imageSmoothingQuality = 'high';
-    context.drawImage(image, 0, 0, w, h);
-    return canvas.toDataURL('image/webp', share);
-  }, [`data:image/png;base64,${png.toString('base64')}`, width, height, quality]);
+  const url = await page.evaluate(
+    async ([source, w, h, share]) => {
+      const image = new Image();
+      image.src = source;
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: w, height: h });
+      const context = canvas.getContext('2d');
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(image, 0, 0, w, h);
+      return canvas.toDataURL('image/webp', share);
+    },
+    [`data:image/png;base64,${png.toString('base64')}`, width, height, quality],
+  );
   return Buffer.from(url.split(',')[1], 'base64');
 }

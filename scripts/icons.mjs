@@ -25,7 +25,9 @@ main(async () => {
       const page = await browser.newPage({ viewport: { width: size, height: size }, deviceScaleFactor: 1 });
       const part = `${100 * drawn}%`;
       const style = `margin:0;height:100vh;display:grid;place-items:center;background:${GROUND}`;
-      await page.setContent(`<body style="${style}"><img style="width:${part}" src="data:image/svg+xml,${encodeURIComponent(svg)}">`);
+      await page.setContent(
+        `<body style="${style}"><img style="width:${part}" src="data:image/svg+xml,${encodeURIComponent(svg)}">`,
+      );
       const png = smallPng(await page.screenshot());
       writeFileSync(join(folder, name), png);
       console.log(`${name.padEnd(18)} ${(png.length / 1000).toFixed(1)} kB`);

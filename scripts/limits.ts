@@ -27,7 +27,13 @@ function row(kind: 'lean' | 'push', balance: Balance): Row {
   const most = kind === 'lean' ? 1.2 : 20;
   const found = largest((kind === 'lean' ? leanTest : pushTest)(balance), START, most, RATIO);
   const unit = kind === 'lean' ? degrees : (x: number): number => x;
-  return { speed: balance.speed, limit: balance.limit, motors: balance.inputs.join(' '), survived: unit(found.survived), failed: unit(found.failed) };
+  return {
+    speed: balance.speed,
+    limit: balance.limit,
+    motors: balance.inputs.join(' '),
+    survived: unit(found.survived),
+    failed: unit(found.failed),
+  };
 }
 
 const short = (x: number): string => (Number.isFinite(x) ? String(Number(x.toPrecision(4))) : '');
@@ -35,7 +41,10 @@ const short = (x: number): string => (Number.isFinite(x) ? String(Number(x.toPre
 function write(name: string, unit: string, rows: readonly Row[]): void {
   const lines = rows.map((r) => [r.speed, r.motors, r.limit ?? '', short(r.survived), short(r.failed)].join(','));
   const head = `# ${name}: written by npm run limits; both ends of the last bisection\n`;
-  writeFileSync(new URL(`${name}.csv`, folder), `${head}speed [m/s],motors,limit [N·m],survived [${unit}],not survived [${unit}]\n${lines.join('\n')}\n`);
+  writeFileSync(
+    new URL(`${name}.csv`, folder),
+    `${head}speed [m/s],motors,limit [N·m],survived [${unit}],not survived [${unit}]\n${lines.join('\n')}\n`,
+  );
 }
 
 /** One line per value of a key, over speed. */
@@ -46,17 +55,38 @@ function linesBy(rows: readonly Row[], key: (r: Row) => string, y: (survived: nu
   });
 }
 
-const sweep = (kind: 'lean' | 'push'): Row[] => LIMITS.flatMap((limit) => SPEEDS.map((speed) => row(kind, { speed, inputs: BOTH, limit })));
+const sweep = (kind: 'lean' | 'push'): Row[] =>
+  LIMITS.flatMap((limit) => SPEEDS.map((speed) => row(kind, { speed, inputs: BOTH, limit })));
 const [lean, push] = [sweep('lean'), sweep('push')];
-const single = [BOTH, ['tau_fc'], ['tau_bc']].flatMap((inputs) => SPEEDS.map((speed) => row('lean', { speed, inputs, limit: null })));
+const single = [BOTH, ['tau_fc'], ['tau_bc']].flatMap((inputs) =>
+  SPEEDS.map((speed) => row('lean', { speed, inputs, limit: null })),
+);
 write('lean', 'deg', lean);
 write('push', 'N·m', push);
 write('single-motor', 'deg', single);
 
 const limited = ({ limit }: Row): string => (limit === null ? 'no limit' : `${limit} N·m`);
 const names: Record<string, string> = { 'tau_fc tau_bc': 'both', tau_fc: 'front alone', tau_bc: 'back alone' };
-writeFileSync(new URL('limits.svg', folder), plotSheet([
-  { title: 'Largest lean it recovers from, by limit of each motor', xLabel: 'speed, m/s', yLabel: 'lean of both plates, °', lines: linesBy(lean, limited) },
-  { title: 'Largest push, N·m on each plate', xLabel: 'speed, m/s', yLabel: 'two Gaussians of opposite sign, N·m', lines: linesBy(push, limited) },
-  { title: 'Largest lean, by motor (no limit)', xLabel: 'speed, m/s', yLabel: 'log10 of the lean in °', lines: linesBy(single, (r) => names[r.motors]!, Math.log10) },
-]));
+writeFileSync(
+  new URL('limits.svg', folder),
+  plotSheet([
+    {
+      title: 'Largest lean it recovers from, by limit of each motor',
+      xLabel: 'speed, m/s',
+      yLabel: 'lean of both plates, °',
+      lines: linesBy(lean, limited),
+    },
+    {
+      title: 'Largest push, N·m on each plate',
+      xLabel: 'speed, m/s',
+      yLabel: 'two Gaussians of opposite sign, N·m',
+      lines: linesBy(push, limited),
+    },
+    {
+      title: 'Largest lean, by motor (no limit)',
+      xLabel: 'speed, m/s',
+      yLabel: 'log10 of the lean in °',
+      lines: linesBy(single, (r) => names[r.motors]!, Math.log10),
+    },
+  ]),
+);

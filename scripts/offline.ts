@@ -5,7 +5,7 @@ import { join, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { minify, transformWithOxc, type Plugin } from 'vite';
 
-const WORKER = fileURLToPath(new URL('../src/worker/offline.sw.ts', import.meta.url));
+const WORKER = fileURLToPath(new URL('../src/offline/offline.sw.ts', import.meta.url));
 const NAME = 'offline.js';
 
 export function offline(): Plugin {
@@ -27,8 +27,12 @@ export function offline(): Plugin {
 
 /** Every file below `folder` with the first part of its SHA-256. */
 function filesOf(folder: string): { files: [path: string, revision: string][]; bytes: number } {
-  const paths = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((path) => statSync(join(folder, path)).isFile());
-  const names = paths.map((path) => path.replaceAll(sep, '/')).filter((path) => path !== NAME && !path.endsWith('.map'));
+  const paths = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((path) =>
+    statSync(join(folder, path)).isFile(),
+  );
+  const names = paths
+    .map((path) => path.replaceAll(sep, '/'))
+    .filter((path) => path !== NAME && !path.endsWith('.map'));
   let bytes = 0;
   const files = names.sort().map((path): [string, string] => {
     const content = readFileSync(join(folder, path));

@@ -66,7 +66,9 @@ async function putOnStage(page, picture) {
   await page.click(id('case-menu'));
   await page.click(id(`case-${picture.case}`));
   // The end that is shown may be that of the run before, until the first rows of the new one begin to play.
-  await page.waitForFunction((at) => document.querySelector(at).getAttribute('aria-label') !== 'Play', id('play'), { timeout: 60_000 });
+  await page.waitForFunction((at) => document.querySelector(at).getAttribute('aria-label') !== 'Play', id('play'), {
+    timeout: 60_000,
+  });
   await ended(page);
 }
 
@@ -92,7 +94,7 @@ async function setStage(page, { at, view, forces }) {
 async function drawn(page) {
   await page.evaluate(async (quiet) => {
     const frames = () => window.ripstikScene.stats().frames;
-    for (let before = -1; before !== frames(); ) {
+    for (let before = -1; before !== frames();) {
       before = frames();
       await new Promise((done) => setTimeout(done, quiet));
     }
@@ -106,8 +108,14 @@ async function take(browser, address, name) {
   await setStage(page, picture);
   await drawn(page);
   const shown = await page.locator(id('scrubber')).inputValue();
-  if (Math.abs(Number(shown) - picture.at) > 1e-9) throw new Plain(`${name} stands at ${shown} s instead of ${picture.at} s`);
-  const bytes = await webp(page, await page.screenshot({ animations: 'disabled', caret: 'hide' }), picture.size ?? DESK, QUALITY);
+  if (Math.abs(Number(shown) - picture.at) > 1e-9)
+    throw new Plain(`${name} stands at ${shown} s instead of ${picture.at} s`);
+  const bytes = await webp(
+    page,
+    await page.screenshot({ animations: 'disabled', caret: 'hide' }),
+    picture.size ?? DESK,
+    QUALITY,
+  );
   await page.context().close();
   writeFileSync(join(root, 'docs/pictures', `${name}.webp`), bytes);
   const kb = bytes.length / 1000;
@@ -119,7 +127,8 @@ main(async (given) => {
   const many = { cases: casePictures, views: viewPictures }[given[0]];
   const names = many ? [] : given;
   const unknown = names.filter((name) => !(name in PICTURES));
-  if (unknown.length) throw new Plain(`There is no picture ${unknown.join(', ')}; right would be ${Object.keys(PICTURES).join(', ')}.`);
+  if (unknown.length)
+    throw new Plain(`There is no picture ${unknown.join(', ')}; right would be ${Object.keys(PICTURES).join(', ')}.`);
   await install();
   if (!built() && !(await build())) throw new Plain('The build failed; what is wrong stands above.');
   if (!existsSync(join(root, 'public/data'))) throw new Plain('There are no samples yet: npm run samples');
@@ -130,12 +139,19 @@ main(async (given) => {
   const browser = await chromium.launch({
     executablePath,
     // As in the browser tests: drawn without a GPU, the same from run to run.
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--force-color-profile=srgb', '--font-render-hinting=none'],
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--force-color-profile=srgb',
+      '--font-render-hinting=none',
+    ],
   });
   let large = 0;
   try {
     if (many) await many(browser, `http://127.0.0.1:${port}/`, given.slice(1));
-    else for (const name of names.length ? names : Object.keys(PICTURES)) large += (await take(browser, `http://127.0.0.1:${port}/`, name)) ? 0 : 1;
+    else
+      for (const name of names.length ? names : Object.keys(PICTURES))
+        large += (await take(browser, `http://127.0.0.1:${port}/`, name)) ? 0 : 1;
   } finally {
     await browser.close();
     server.close();

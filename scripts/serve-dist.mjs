@@ -50,7 +50,9 @@ function fileFor(url, base, folder) {
 /** The Content-Security-Policy that the page itself names. */
 function policyOf(folder) {
   try {
-    const policy = /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(readFileSync(join(folder, 'index.html'), 'utf8'));
+    const policy = /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(
+      readFileSync(join(folder, 'index.html'), 'utf8'),
+    );
     return policy ? { 'Content-Security-Policy': policy[1] } : {};
   } catch (_) {
     return {};

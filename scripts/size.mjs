@@ -44,9 +44,7 @@ main(async () => {
   for (const path of scripts.map((name) => join(dist, name)).sort()) {
     const size = gzipSync(readFileSync(path), { level: 9 }).length / 1000;
     if (first.has(path)) sum += size;
-    console.log(
-      `${size.toFixed(1).padStart(7)} kB  ${basename(path)}${first.has(path) ? '' : '  (later)'}`,
-    );
+    console.log(`${size.toFixed(1).padStart(7)} kB  ${basename(path)}${first.has(path) ? '' : '  (later)'}`);
   }
   console.log(`${sum.toFixed(1).padStart(7)} kB  first view, gzip (limit ${LIMIT_KB} kB)`);
   return sum < LIMIT_KB ? 0 : 1;

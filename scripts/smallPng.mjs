@@ -17,7 +17,13 @@ export function smallPng(png) {
   head.writeUInt32BE(height, 4);
   head.set([8, 3], 8); // 8 bits, palette
   const data = deflateSync(rows, { level: 9, memLevel: 9 });
-  return Buffer.concat([SIGNATURE, chunk('IHDR', head), chunk('PLTE', palette), chunk('IDAT', data), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([
+    SIGNATURE,
+    chunk('IHDR', head),
+    chunk('PLTE', palette),
+    chunk('IDAT', data),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }
 
 function chunk(type, data) {
@@ -32,8 +38,10 @@ function chunk(type, data) {
 /** Pixels as 0xRRGGBB, one per entry. */
 function decode(png) {
   const parts = [];
-  let width = 0, height = 0, channels = 0;
-  for (let at = SIGNATURE.length; at < png.length; ) {
+  let width = 0,
+    height = 0,
+    channels = 0;
+  for (let at = SIGNATURE.length; at < png.length;) {
     const length = png.readUInt32BE(at);
     const type = png.toString('latin1', at + 4, at + 8);
     const data = png.subarray(at + 8, at + 8 + length);
@@ -52,7 +60,8 @@ function decode(png) {
   for (let y = 0; y < height; y++) {
     const row = raw.subarray(y * (stride + 1) + 1, (y + 1) * (stride + 1));
     unfilter(raw[y * (stride + 1)], row, above, channels);
-    for (let x = 0; x < width; x++) pixels[y * width + x] = (row[x * channels] << 16) | (row[x * channels + 1] << 8) | row[x * channels + 2];
+    for (let x = 0; x < width; x++)
+      pixels[y * width + x] = (row[x * channels] << 16) | (row[x * channels + 1] << 8) | row[x * channels + 2];
     above = row;
   }
   return { width, height, pixels };
@@ -85,7 +94,8 @@ function quantise(pixels) {
   while (boxes.length < COLOURS) {
     const worst = boxes.reduce((a, b) => (b.error > a.error ? b : a));
     if (!(worst.error > 0)) break;
-    const side = (below) => worst.colours.filter(([colour]) => channel(colour, worst.axis) <= worst.mean[worst.axis] === below);
+    const side = (below) =>
+      worst.colours.filter(([colour]) => channel(colour, worst.axis) <= worst.mean[worst.axis] === below);
     boxes.splice(boxes.indexOf(worst), 1, boxOf(side(true)), boxOf(side(false)));
   }
   const index = new Map();
@@ -99,8 +109,12 @@ function quantise(pixels) {
 /** Mean, and the axis along which the squared error is largest. */
 function boxOf(colours) {
   const total = colours.reduce((sum, [, count]) => sum + count, 0);
-  const mean = [0, 1, 2].map((c) => colours.reduce((sum, [colour, count]) => sum + count * channel(colour, c), 0) / total);
-  const errors = mean.map((m, c) => colours.reduce((sum, [colour, count]) => sum + count * (channel(colour, c) - m) ** 2, 0));
+  const mean = [0, 1, 2].map(
+    (c) => colours.reduce((sum, [colour, count]) => sum + count * channel(colour, c), 0) / total,
+  );
+  const errors = mean.map((m, c) =>
+    colours.reduce((sum, [colour, count]) => sum + count * (channel(colour, c) - m) ** 2, 0),
+  );
   const axis = errors.indexOf(Math.max(...errors));
   return { colours, mean, axis, error: colours.length > 1 ? errors[axis] : 0 };
 }

@@ -6,9 +6,17 @@ import { findBrowser } from './browser.mjs';
 import { build, built, cache, freePort, install, main, readJson, runPackage, writeTable } from './setup.mjs';
 
 function bigTable(folder) {
-  const rows = readdirSync(folder).sort().map((name) => readJson(join(folder, name)));
+  const rows = readdirSync(folder)
+    .sort()
+    .map((name) => readJson(join(folder, name)));
   const keys = ['what', 'became', 'tasks', 'seeks', 'memory'];
-  return ['| what | what became of it | tasks over 50 ms | from a seek to its picture | memory |', '|---|---|---|---|---|', ...rows.map((row) => `| ${keys.map((key) => row[key]).join(' | ')} |`), '', '`npm run big`'];
+  return [
+    '| what | what became of it | tasks over 50 ms | from a seek to its picture | memory |',
+    '|---|---|---|---|---|',
+    ...rows.map((row) => `| ${keys.map((key) => row[key]).join(' | ')} |`),
+    '',
+    '`npm run big`',
+  ];
 }
 
 main(async (args) => {
@@ -19,10 +27,26 @@ main(async (args) => {
   const folder = join(cache, big ? 'big' : 'soak');
   if (!big || args.length === 1) rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  const env = { RIPSTIK_BROWSER: await findBrowser(), RIPSTIK_TEST_PORT: String(await freePort()), SOAK_MINUTES: minutes, SOAK_SEED: seed };
-  const { code } = await runPackage('@playwright/test/cli.js', ['test', '--config', 'tests/soak/playwright.config.ts', big ? 'big.spec' : 'long.spec', ...(big ? args.slice(1) : [])], { show: true, env });
+  const env = {
+    RIPSTIK_BROWSER: await findBrowser(),
+    RIPSTIK_TEST_PORT: String(await freePort()),
+    SOAK_MINUTES: minutes,
+    SOAK_SEED: seed,
+  };
+  const { code } = await runPackage(
+    '@playwright/test/cli.js',
+    [
+      'test',
+      '--config',
+      'tools/soak/playwright.config.ts',
+      big ? 'big.spec' : 'long.spec',
+      ...(big ? args.slice(1) : []),
+    ],
+    { show: true, env },
+  );
   if (code !== 0) return code;
   if (big) writeTable('sizes', bigTable(folder));
-  else if (existsSync(join(folder, 'table.md'))) writeTable('soak', readFileSync(join(folder, 'table.md'), 'utf8').trimEnd().split('\n'));
+  else if (existsSync(join(folder, 'table.md')))
+    writeTable('soak', readFileSync(join(folder, 'table.md'), 'utf8').trimEnd().split('\n'));
   return 0;
 });

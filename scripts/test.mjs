@@ -8,6 +8,9 @@ import { Plain, build, built, cache, freePort, install, main, readJson, root, ru
 const SHOW = { show: true };
 const STAGES = {
   types: async () => ({ ok: (await runPackage('typescript/bin/tsc', ['-b'], SHOW)).code === 0 }),
+  format: async () => ({
+    ok: (await runPackage('prettier/bin/prettier.cjs', ['--check', '.', '--log-level', 'warn'], SHOW)).code === 0,
+  }),
   lint: async () => ({ ok: (await runPackage('eslint/bin/eslint.js', ['.', '--max-warnings=0'], SHOW)).code === 0 }),
   unit: unitStage,
   build: buildStage,
@@ -34,8 +37,8 @@ async function buildStage() {
 }
 
 async function browserStage(further) {
-  if (!existsSync(join(root, 'tests/e2e'))) {
-    console.log('There are no browser tests (tests/e2e) yet.');
+  if (!existsSync(join(root, 'tests/browser'))) {
+    console.log('There are no browser tests (tests/browser) yet.');
     return { ok: true };
   }
   if (!built() && !(await build())) {

@@ -19,27 +19,36 @@ const id = (name) => `[data-testid="${name}"]`;
 
 export async function viewPictures(browser, address, wanted) {
   mkdirSync(join(root, 'docs/pictures/views'), { recursive: true });
-  for (const [form, size] of Object.entries(SIZES)) for (const theme of THEMES) {
-    const context = await browser.newContext({ viewport: size, colorScheme: theme, reducedMotion: 'reduce', hasTouch: form === 'phone', locale: 'en-US', timezoneId: 'UTC', bypassCSP: true });
-    const page = await context.newPage();
-    page.on('pageerror', (error) => console.error(`page: ${error.message}`));
-    await page.goto(address);
-    await page.waitForFunction(() => window.ripstikScene?.stats().bodies > 0);
-    const views = await viewsOf(page, form);
-    for (const { name, open, close } of views) {
-      const file = `${name}-${form}-${theme}`;
-      if (name === 'scene') await putOnStage(page);
-      if (wanted.length > 0 && !wanted.includes(name)) continue;
-      await open();
-      await quiet(page);
-      const png = await page.screenshot({ animations: 'disabled', caret: 'hide' });
-      await close?.();
-      const bytes = await webp(page, png, size, QUALITY);
-      writeFileSync(join(root, 'docs/pictures/views', `${file}.webp`), bytes);
-      console.log(`${file}  ${(bytes.length / 1000).toFixed(0)} kB`);
+  for (const [form, size] of Object.entries(SIZES))
+    for (const theme of THEMES) {
+      const context = await browser.newContext({
+        viewport: size,
+        colorScheme: theme,
+        reducedMotion: 'reduce',
+        hasTouch: form === 'phone',
+        locale: 'en-US',
+        timezoneId: 'UTC',
+        bypassCSP: true,
+      });
+      const page = await context.newPage();
+      page.on('pageerror', (error) => console.error(`page: ${error.message}`));
+      await page.goto(address);
+      await page.waitForFunction(() => window.ripstikScene?.stats().bodies > 0);
+      const views = await viewsOf(page, form);
+      for (const { name, open, close } of views) {
+        const file = `${name}-${form}-${theme}`;
+        if (name === 'scene') await putOnStage(page);
+        if (wanted.length > 0 && !wanted.includes(name)) continue;
+        await open();
+        await quiet(page);
+        const png = await page.screenshot({ animations: 'disabled', caret: 'hide' });
+        await close?.();
+        const bytes = await webp(page, png, size, QUALITY);
+        writeFileSync(join(root, 'docs/pictures/views', `${file}.webp`), bytes);
+        console.log(`${file}  ${(bytes.length / 1000).toFixed(0)} kB`);
+      }
+      await context.close();
     }
-    await context.close();
-  }
   list();
 }
 
@@ -48,14 +57,23 @@ async function viewsOf(page, form) {
   const click = (testId) => () => page.click(id(testId));
   const escape = () => page.keyboard.press('Escape');
   const tabs = form === 'phone';
-  const tools = await page.evaluate((prefix) => [...document.querySelectorAll(`[data-testid^="${prefix}-"]`)].filter((b) => b.closest('.rail, .tabs')).map((b) => b.dataset.testid.slice(prefix.length + 1)), tabs ? 'tab' : 'tool');
+  const tools = await page.evaluate(
+    (prefix) =>
+      [...document.querySelectorAll(`[data-testid^="${prefix}-"]`)]
+        .filter((b) => b.closest('.rail, .tabs'))
+        .map((b) => b.dataset.testid.slice(prefix.length + 1)),
+    tabs ? 'tab' : 'tool',
+  );
   return [
     { name: 'first-visit', open: () => page.waitForSelector(id('offer')), close: click('offer-close') },
     { name: 'scene', open: async () => {} },
     { name: 'gallery', open: click('case-menu'), close: escape },
     { name: 'keys', open: click('keys'), close: escape },
     { name: 'control', open: () => showControl(page, tabs) },
-    ...tools.map((tool) => ({ name: `${tabs && tool === 'experiment' ? '' : 'tool-'}${tool}`, open: () => openTool(page, tool, tabs) })),
+    ...tools.map((tool) => ({
+      name: `${tabs && tool === 'experiment' ? '' : 'tool-'}${tool}`,
+      open: () => openTool(page, tool, tabs),
+    })),
   ];
 }
 
@@ -63,7 +81,10 @@ async function putOnStage(page) {
   await page.evaluate(async ({ id: which, at }) => {
     const { state, actions } = window.ripstikApp;
     actions.loadCase(which);
-    const met = () => state.origin.value.id === which && state.run.value?.kind === 'ended' && state.motion.value?.written === state.draft.value;
+    const met = () =>
+      state.origin.value.id === which &&
+      state.run.value?.kind === 'ended' &&
+      state.motion.value?.written === state.draft.value;
     while (!met()) await new Promise((done) => setTimeout(done, 30));
     actions.pause();
     actions.seek(at);
@@ -89,14 +110,18 @@ async function openTool(page, tool, tabs) {
 
 /** Until neither the page's elements nor its scene have changed for a while. */
 async function quiet(page) {
-  await page.evaluate(async ([still, longest]) => {
-    const state = () => `${window.ripstikScene?.stats().frames} ${document.body.innerText.length} ${document.querySelectorAll('*').length} ${[...document.images].every((i) => i.complete)}`;
-    const began = Date.now();
-    for (let before = ''; before !== state() && Date.now() - began < longest; ) {
-      before = state();
-      await new Promise((done) => setTimeout(done, still));
-    }
-  }, [QUIET_MS, LONGEST_MS]);
+  await page.evaluate(
+    async ([still, longest]) => {
+      const state = () =>
+        `${window.ripstikScene?.stats().frames} ${document.body.innerText.length} ${document.querySelectorAll('*').length} ${[...document.images].every((i) => i.complete)}`;
+      const began = Date.now();
+      for (let before = ''; before !== state() && Date.now() - began < longest;) {
+        before = state();
+        await new Promise((done) => setTimeout(done, still));
+      }
+    },
+    [QUIET_MS, LONGEST_MS],
+  );
 }
 
 function list() {
@@ -106,9 +131,27 @@ function list() {
     const name = `${view}-${form}-${theme}.webp`;
     return files.includes(name) ? `[${theme}](views/${name})` : '';
   };
-  const rows = views.map((view) => `| ${view.replace(/^tool-/, 'tool: ').replaceAll('-', ' ')} | ${Object.keys(SIZES).map((form) => THEMES.map((theme) => cell(view, form, theme)).filter(Boolean).join(' · ')).join(' | ')} |`);
-  writeFileSync(join(root, 'docs/pictures/README.md'), [
-    '# Pictures', '', 'Drawn by the program from the built page: `npm run pictures` makes those beside this page, `npm run pictures -- views` the main views below and this list, `npm run pictures -- cases` the scenes of [the cases](../cases.md).', '',
-    '| view | desk, 1280 × 800 | phone, 390 × 844 |', '|---|---|---|', ...rows, '',
-  ].join('\n'));
+  const rows = views.map(
+    (view) =>
+      `| ${view.replace(/^tool-/, 'tool: ').replaceAll('-', ' ')} | ${Object.keys(SIZES)
+        .map((form) =>
+          THEMES.map((theme) => cell(view, form, theme))
+            .filter(Boolean)
+            .join(' · '),
+        )
+        .join(' | ')} |`,
+  );
+  writeFileSync(
+    join(root, 'docs/pictures/README.md'),
+    [
+      '# Pictures',
+      '',
+      'Drawn by the program from the built page: `npm run pictures` makes those beside this page, `npm run pictures -- views` the main views below and this list, `npm run pictures -- cases` the scenes of [the cases](../cases.md).',
+      '',
+      '| view | desk, 1280 × 800 | phone, 390 × 844 |',
+      '|---|---|---|',
+      ...rows,
+      '',
+    ].join('\n'),
+  );
 }

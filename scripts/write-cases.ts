@@ -3,7 +3,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { cases, type Case } from '../src/core/cases/cases.ts';
 import type { CasePlot } from '../src/core/cases/case.ts';
 import { caseColumns, measured } from '../src/core/cases/measures.ts';
-import { feedbackOf } from '../src/core/control/feedback.ts';
+import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { compileExpression } from '../src/core/scenario/expressions.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
@@ -20,7 +20,10 @@ type Column = (name: string) => Float64Array;
 function finished({ scenario: file }: Case): { column: Column; simulation: Simulation } {
   const scenario = checkScenario(file, metas);
   const system = systems[scenario.system]!;
-  const simulation = new Simulation(scenario, system, { extras: ['lambda', 'energy', 'residual', 'inputs'], feedback: feedbackOf(scenario, system) });
+  const simulation = new Simulation(scenario, system, {
+    extras: ['lambda', 'energy', 'residual', 'inputs'],
+    feedback: feedbackOf(scenario, system),
+  });
   simulation.advance(() => false);
   const { columns } = simulation.takeChunk();
   const recorded = new Map(simulation.columns.map((name, i) => [name, columns[i]!]));
@@ -39,8 +42,12 @@ function plotOf(plot: CasePlot, column: Column): LinePlotSpec {
   }
   const unit = { deg: '°', '1': '' }[plot.unit as string] ?? plot.unit;
   return {
-    title: plot.title, lines, to: plot.to, equal: plot.equal,
-    xLabel: plot.x === 't' ? 't, s' : plot.x, yLabel: `${plot.y.join(', ')}${unit ? `, ${unit}` : ''}`,
+    title: plot.title,
+    lines,
+    to: plot.to,
+    equal: plot.equal,
+    xLabel: plot.x === 't' ? 't, s' : plot.x,
+    yLabel: `${plot.y.join(', ')}${unit ? `, ${unit}` : ''}`,
   };
 }
 
@@ -49,15 +56,30 @@ function section(one: Case): string {
   const { id, title, source, look, published = [], plots = [], figures = [] } = one;
   writeFileSync(new URL(`${id}.svg`, folder), plotSheet(plots.map((plot) => plotOf(plot, column))));
   const { reason, time } = simulation.end!;
-  const numbers = published.map(({ what, measure, value, unit = '', tolerance, source: from }) =>
-    `| ${what} | ${short(measured(measure, column))} ${unit} | ${short(value)} ${unit} | ${tolerance.toExponential().replace('e', ' × 10^').replace('+', '')} | ${from} |`);
+  const numbers = published.map(
+    ({ what, measure, value, unit = '', tolerance, source: from }) =>
+      `| ${what} | ${short(measured(measure, column))} ${unit} | ${short(value)} ${unit} | ${tolerance.toExponential().replace('e', ' × 10^').replace('+', '')} | ${from} |`,
+  );
   return [
-    `## ${title}`, '', `\`${id}\` · ${systems[one.scenario.system]!.meta.title}${source ? ` · ${source}` : ''}`, '', look, '',
-    `![${title}, the scene](cases/${id}.webp)`, '',
-    `Ends: ${reason === 'end' ? 'complete' : reason} at ${short(time)} s.`, '',
+    `## ${title}`,
+    '',
+    `\`${id}\` · ${systems[one.scenario.system]!.meta.title}${source ? ` · ${source}` : ''}`,
+    '',
+    look,
+    '',
+    `![${title}, the scene](cases/${id}.webp)`,
+    '',
+    `Ends: ${reason === 'end' ? 'complete' : reason} at ${short(time)} s.`,
+    '',
     ...(numbers.length > 0 ? ['| what | here | known | within | from |', '|---|---|---|---|---|', ...numbers, ''] : []),
-    `![${title}: ${plots.map((p) => p.title).join('; ')}](cases/${id}.svg)`, '',
-    ...figures.flatMap((figure, i) => [`${figure.title}, at ${short(figure.time ?? 0)} s:`, '', `![${figure.title}](cases/${id}-${i + 1}.webp)`, '']),
+    `![${title}: ${plots.map((p) => p.title).join('; ')}](cases/${id}.svg)`,
+    '',
+    ...figures.flatMap((figure, i) => [
+      `${figure.title}, at ${short(figure.time ?? 0)} s:`,
+      '',
+      `![${figure.title}](cases/${id}-${i + 1}.webp)`,
+      '',
+    ]),
   ].join('\n');
 }
 
@@ -65,9 +87,12 @@ const short = (x: number): string => String(Number(x.toPrecision(6)));
 const folder = new URL('../docs/cases/', import.meta.url);
 mkdirSync(folder, { recursive: true });
 const head = [
-  '# Cases', '',
+  '# Cases',
+  '',
   'Every built-in case, run by `npm run cases`, which writes this page: what to look at, what is known about it beside what came out, its scene (`npm run pictures -- cases`) and its plots.',
-  'The same cases are in the page, `npm run ripstik -- cases`, and `tests/conformance/cases.test.ts`.', '', '',
+  'The same cases are in the page, `npm run ripstik -- cases`, and `tests/conformance/cases.test.ts`.',
+  '',
+  '',
 ].join('\n');
 writeFileSync(new URL('../docs/cases.md', import.meta.url), head + cases.map(section).join('\n'));
 console.log(`${cases.length} cases written to docs/cases.md and docs/cases/`);

@@ -1,7 +1,7 @@
 /** Writes public/models/<body>.mdl and .mat for the default board; `--check` compares instead. */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { generateModels } from '../src/core/models/index.ts';
+import { generateModels } from '../src/core/geometry/index.ts';
 import { ripstikMeta } from '../src/core/systems/ripstik/meta.ts';
 
 const folder = new URL('../public/models/', import.meta.url);
@@ -22,7 +22,8 @@ function isSame(url: URL, text: string): boolean {
 
 if (process.argv.includes('--check')) {
   const stale = files.filter(({ url, text }) => !isSame(url, text));
-  for (const { url } of stale) console.error(`${fileURLToPath(url)} is not what the generator writes: run npm run models`);
+  for (const { url } of stale)
+    console.error(`${fileURLToPath(url)} is not what the generator writes: run npm run models`);
   process.exitCode = stale.length > 0 ? 1 : 0;
 } else {
   mkdirSync(folder, { recursive: true });

@@ -6,7 +6,7 @@ import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../src/core/scenario/types.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/registry.ts';
-import { csvHeader } from '../src/io/csv.ts';
+import { csvHeader } from '../src/csv/csv.ts';
 
 /** The report's player drew 60 rows a second. */
 const STEP = 1 / 60;

@@ -1,28 +1,35 @@
 import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
-import { Comparison } from './app/comparison.ts';
+import { Comparison } from './app/runs/comparison.ts';
 import { createApp } from './app/store.ts';
-import { Sweep } from './app/sweep.ts';
-import { stageOf } from './app/stage.ts';
-import { prepareVisit } from './app/visit.ts';
-import { formulations } from './core/dynamics/formulations/formulations.ts';
+import { Sweep } from './app/runs/sweep.ts';
+import { stageOf } from './app/runs/stage.ts';
+import { prepareVisit } from './app/startup.ts';
+import { formulations } from './core/mechanics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
-import { tools } from './tools/tools.ts';
-import './ui/letGo.ts';
-import { Shell } from './ui/shell.tsx';
-import { connectScene } from './sceneBridge.ts';
+import { tools } from './features/registry.ts';
+import './ui/kit/disposeReplaced.ts';
+import { Shell } from './ui/shell/shell.tsx';
+import { connectScene } from './stage/sceneBridge.ts';
 
-const runWorker = (): Worker => new Worker(new URL('./worker/run.worker.ts', import.meta.url), { type: 'module' });
+const runWorker = (): Worker => new Worker(new URL('./compute/run.worker.ts', import.meta.url), { type: 'module' });
 const cores = navigator.hardwareConcurrency || 2;
 const comparison = new Comparison(runWorker, cores);
-const sweep = new Sweep(() => new Worker(new URL('./worker/sweep.worker.ts', import.meta.url), { type: 'module' }), cores);
+const sweep = new Sweep(
+  () => new Worker(new URL('./compute/sweep.worker.ts', import.meta.url), { type: 'module' }),
+  cores,
+);
 const app = createApp(
   {
     run: runWorker,
-    csv: () => new Worker(new URL('./io/csv.worker.ts', import.meta.url), { type: 'module' }),
-    control: () => new Worker(new URL('./worker/control.worker.ts', import.meta.url), { type: 'module' }),
+    csv: () => new Worker(new URL('./compute/csv.worker.ts', import.meta.url), { type: 'module' }),
+    control: () => new Worker(new URL('./compute/control.worker.ts', import.meta.url), { type: 'module' }),
   },
-  { dark: matchMedia('(prefers-color-scheme: dark)').matches, reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches, roomy: innerWidth >= 1200 },
+  {
+    dark: matchMedia('(prefers-color-scheme: dark)').matches,
+    reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches,
+    roomy: innerWidth >= 1200,
+  },
   comparison,
   sweep,
 );
@@ -30,7 +37,10 @@ const app = createApp(
 Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
-const visit = prepareVisit(app, tools.map(({ id }) => id));
+const visit = prepareVisit(
+  app,
+  tools.map(({ id }) => id),
+);
 
 render(
   <Shell

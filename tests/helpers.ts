@@ -1,4 +1,4 @@
-import { feedbackOf } from '../src/core/control/feedback.ts';
+import { feedbackOf } from '../src/core/control/design/feedback.ts';
 export { seeded } from '../src/cli/bench/states.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { Scenario } from '../src/core/scenario/types.ts';
@@ -23,7 +23,10 @@ export interface FinishedRun {
 export function runOf(raw: unknown): FinishedRun {
   const scenario = scenarioOf(raw);
   const system = systems[scenario.system]!;
-  const simulation = new Simulation(scenario, system, { extras: ['lambda', 'energy', 'residual', 'inputs'], feedback: feedbackOf(scenario, system) });
+  const simulation = new Simulation(scenario, system, {
+    extras: ['lambda', 'energy', 'residual', 'inputs'],
+    feedback: feedbackOf(scenario, system),
+  });
   simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();
   return {

@@ -1,7 +1,7 @@
-import { ConstrainedSystem } from '../src/core/dynamics/constrainedSystem.ts';
-import { consistentStart } from '../src/core/dynamics/consistentStart.ts';
-import { actuationOf } from '../src/core/dynamics/forcing.ts';
-import type { Forcing } from '../src/core/dynamics/constrainedSystem.ts';
+import { ConstrainedSystem } from '../src/core/mechanics/constrainedSystem.ts';
+import { consistentStart } from '../src/core/mechanics/consistentStart.ts';
+import { actuationOf } from '../src/core/mechanics/forcing.ts';
+import type { Forcing } from '../src/core/mechanics/constrainedSystem.ts';
 import { systems } from '../src/core/systems/registry.ts';
 import { scenarioOf } from './helpers.ts';
 
@@ -13,6 +13,12 @@ export function mechanicsOf(raw: unknown, forcing?: Forcing) {
   const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
   const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
   const { q, v } = consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
-  const dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing ?? actuationOf(scenario, system.meta).forcing);
+  const dynamics = new ConstrainedSystem(
+    system,
+    parameters,
+    scenario.constraints,
+    hold,
+    forcing ?? actuationOf(scenario, system.meta).forcing,
+  );
   return { scenario, dynamics, q, v, n: dynamics.n };
 }

@@ -1,5 +1,5 @@
 /** Registers the service worker and says when a new version of the page is ready. Loaded when the page has come to rest. */
-import { offlineText as text } from '../text/keep.ts';
+import { offlineText as text } from './words.ts';
 import type { App } from './types.ts';
 
 export async function workOffline(app: App): Promise<void> {

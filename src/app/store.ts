@@ -1,25 +1,25 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { cases } from '../core/cases/cases.ts';
-import { canRide, hasCloseUp } from '../core/models/roster.ts';
+import { canRide, hasCloseUp } from '../core/geometry/roster.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import { systemViews } from '../core/systems/views.ts';
-import type { Comparison } from './comparison.ts';
-import { ControlClient } from './controlClient.ts';
-import { CsvClient } from './csvClient.ts';
-import { CsvExport } from './csvExport.ts';
-import { download } from './download.ts';
-import { FileOpener } from './files.ts';
-import { Kept } from './kept.ts';
-import { LocusClient } from './locusClient.ts';
-import { initialLook } from './look.ts';
-import { Messages } from './messages.ts';
-import { ModeStage } from './modes.ts';
-import { runPlaybackClock, speeds } from './playbackClock.ts';
-import { RunClient } from './runClient.ts';
-import { Runs } from './runs.ts';
-import { samples } from './samples.ts';
-import type { Sweep } from './sweep.ts';
+import type { Comparison } from './runs/comparison.ts';
+import { ControlClient } from '../compute/controlClient.ts';
+import { CsvClient } from '../compute/csvClient.ts';
+import { CsvExport } from './files/csvExport.ts';
+import { download } from './files/download.ts';
+import { FileOpener } from './files/fileOpener.ts';
+import { Kept } from './runs/pinnedRuns.ts';
+import { LocusClient } from '../compute/locusClient.ts';
+import { initialLook } from './state/viewSettings.ts';
+import { Messages } from './state/messages.ts';
+import { ModeStage } from './runs/modePreview.ts';
+import { runPlaybackClock, speeds } from './state/playbackClock.ts';
+import { RunClient } from '../compute/runClient.ts';
+import { Runs } from './runs/runs.ts';
+import { samples } from './files/samples.ts';
+import type { Sweep } from './runs/sweep.ts';
 import type { App, AppActions, AppState, CaseInfo } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
@@ -49,7 +49,14 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
   const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
   const modes = new ModeStage(state, runs, systemViews, systemMetas);
   keepDrafts(state);
-  const files = new FileOpener({ state, csv, messages, metas: systemMetas, show: (motion) => runs.show(motion), runDraft: () => runs.run() });
+  const files = new FileOpener({
+    state,
+    csv,
+    messages,
+    metas: systemMetas,
+    show: (motion) => runs.show(motion),
+    runDraft: () => runs.run(),
+  });
   runPlaybackClock(state, {
     start: () => state.motion.peek()?.trajectory.start ?? 0,
     end: () => state.motion.peek()?.trajectory.end ?? 0,
@@ -102,7 +109,8 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     answerTimeStep: (step) => files.answerTimeStep(step),
     exportCsv: () => void csvExport.write(),
     cancelWriting: () => csvExport.cancel(),
-    saveScenario: () => download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
+    saveScenario: () =>
+      download('scenario.json', [`${JSON.stringify(state.draft.peek(), null, 2)}\n`], 'application/json'),
     play: () => play(state),
     pause: () => void (state.playing.value = false),
     toggle: () => (state.playing.peek() ? actions.pause() : actions.play()),
@@ -139,13 +147,19 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
 const caseInfos: readonly CaseInfo[] = cases.map(({ look, ...one }) => ({ ...one, summary: look }));
 
 /** A system nobody has made a case for starts with everything at its default. */
-const blank = (id: string): CaseInfo => ({ id: '', title: systemMetas[id]!.title, summary: '', scenario: { version: 1, system: id } });
+const blank = (id: string): CaseInfo => ({
+  id: '',
+  title: systemMetas[id]!.title,
+  summary: '',
+  scenario: { version: 1, system: id },
+});
 
 /** What was last edited of each system stays, whatever takes the panel to another one. */
 function keepDrafts(state: AppState): void {
   effect(() => {
     const [draft, origin] = [state.draft.value, state.origin.value];
-    if (origin.scenario.system === draft.system) state.drafts.value = new Map(state.drafts.peek()).set(draft.system, { draft, origin });
+    if (origin.scenario.system === draft.system)
+      state.drafts.value = new Map(state.drafts.peek()).set(draft.system, { draft, origin });
   });
 }
 
@@ -191,7 +205,8 @@ function initialState({ dark, roomy }: Preferences): AppState {
 /** A look that another system does not offer is no view. */
 function settleView({ motion, view }: AppState): void {
   const id = motion.peek()?.system.meta.id;
-  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id)))) view.value = 'orbit';
+  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id))))
+    view.value = 'orbit';
 }
 
 function clampTime(state: AppState, time: number): number {
@@ -203,7 +218,8 @@ function play(state: AppState): void {
   const trajectory = state.motion.peek()?.trajectory;
   if (!trajectory) return;
   // Play at the end starts over, as every player does; while rows still come, it waits for them.
-  if (state.time.peek() >= trajectory.end && state.run.peek()?.kind !== 'computing') state.time.value = trajectory.start;
+  if (state.time.peek() >= trajectory.end && state.run.peek()?.kind !== 'computing')
+    state.time.value = trajectory.start;
   state.playing.value = true;
 }
 

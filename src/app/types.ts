@@ -1,18 +1,18 @@
 /** What the views are given, and what they may ask for. The store in `store.ts` implements it with signals. */
 import type { ReadonlySignal, Signal } from '@preact/signals';
-import type { Comparison, Contender } from './comparison.ts';
-import type { Kept, KeptRun } from './kept.ts';
-import type { ControlClient } from './controlClient.ts';
-import type { LocusClient } from './locusClient.ts';
+import type { Comparison, Contender } from './runs/comparison.ts';
+import type { Kept, KeptRun } from './runs/pinnedRuns.ts';
+import type { ControlClient } from '../compute/controlClient.ts';
+import type { LocusClient } from '../compute/locusClient.ts';
 import type { Case } from '../core/cases/case.ts';
-import type { Look } from './look.ts';
-import type { Aside, ModeRequest } from './modes.ts';
-import type { Sweep } from './sweep.ts';
-import type { Studio } from './studio.ts';
+import type { Look } from './state/viewSettings.ts';
+import type { Aside, ModeRequest } from './runs/modePreview.ts';
+import type { Sweep } from './runs/sweep.ts';
+import type { Studio } from './files/exportRenderer.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { Push, PushRecord } from '../core/simulation/push.ts';
 import type { SystemView } from '../core/systems/types.ts';
-import type { Trajectory } from '../core/trajectory/trajectory.ts';
+import type { Trajectory } from '../core/motion/trajectory.ts';
 
 /** One change that the consistent start made: a value that was named (or rest) and what it became. */
 export interface Adjustment {
@@ -35,8 +35,7 @@ export interface RunStatistics {
 
 /** Where a run stands. `reason` is a permanent id: `end`, `touchdown`, `constraint-singular`, `step-too-small`, `non-finite`, `cancelled`, `failed`. */
 export type RunState =
-  | { kind: 'computing'; progress: number }
-  | { kind: 'ended'; reason: string; message: string; time: number };
+  { kind: 'computing'; progress: number } | { kind: 'ended'; reason: string; message: string; time: number };
 
 /** A row or cell of a CSV file that could not be used, or a note on how it was read. */
 export interface FileIssue {

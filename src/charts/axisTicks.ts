@@ -6,7 +6,8 @@ export function linearTicks(low: number, high: number, most: number): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5].find((m) => m * power >= rough) ?? 10);
   const ticks: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * span; k++) ticks.push(Number((k * step).toPrecision(12)));
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * span; k++)
+    ticks.push(Number((k * step).toPrecision(12)));
   return ticks;
 }
 
@@ -23,6 +24,12 @@ export function decadeTicks(low: number, high: number, most: number): number[] {
 /** A tick's number, short, with a real minus sign. */
 export function tickText(x: number): string {
   const size = Math.abs(x);
-  const plain = size !== 0 && (size < 1e-3 || size >= 1e5) ? x.toExponential(2).replace(/\.?0+e/, 'e').replace('e+', 'e') : String(Number(x.toPrecision(6)));
+  const plain =
+    size !== 0 && (size < 1e-3 || size >= 1e5)
+      ? x
+          .toExponential(2)
+          .replace(/\.?0+e/, 'e')
+          .replace('e+', 'e')
+      : String(Number(x.toPrecision(6)));
   return plain.replaceAll('-', '\u2212');
 }

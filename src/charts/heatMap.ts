@@ -28,7 +28,18 @@ const TOP = 8;
 const BOTTOM = 40;
 
 /** Stops of Matplotlib's viridis (S. van der Walt, N. Smith): even in lightness, told apart without red and green. */
-const STOPS = [[68, 1, 84], [72, 40, 120], [62, 74, 137], [49, 104, 142], [38, 130, 142], [31, 158, 137], [53, 183, 121], [110, 206, 88], [181, 222, 43], [253, 231, 37]] as const;
+const STOPS = [
+  [68, 1, 84],
+  [72, 40, 120],
+  [62, 74, 137],
+  [49, 104, 142],
+  [38, 130, 142],
+  [31, 158, 137],
+  [53, 183, 121],
+  [110, 206, 88],
+  [181, 222, 43],
+  [253, 231, 37],
+] as const;
 
 /** Colour of a share 0 .. 1 of the scale. */
 export function scaleColour(share: number): string {
@@ -39,7 +50,10 @@ export function scaleColour(share: number): string {
 }
 
 /** Numbers over two axes as coloured cells with a scale; the pointer names a cell and a click picks it. */
-export function createHeatMap(host: HTMLElement, on: { hover(index: number | null): void; pick(index: number): void }): HeatMap {
+export function createHeatMap(
+  host: HTMLElement,
+  on: { hover(index: number | null): void; pick(index: number): void },
+): HeatMap {
   const canvas = document.createElement('canvas');
   canvas.className = 'overlay-canvas';
   host.append(canvas);
@@ -95,7 +109,16 @@ function draw(host: HTMLElement, canvas: HTMLCanvasElement, data: HeatMapData, s
   context.setTransform(density, 0, 0, density, 0, 0);
   context.clearRect(0, 0, width, height);
   const [low, high] = rangeOf(data.values);
-  cells(context, data, { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM }, (v) => (high > low ? (v - low) / (high - low) : 0.5), token('--sunken'), selected, token('--text'), token('--surface'));
+  cells(
+    context,
+    data,
+    { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM },
+    (v) => (high > low ? (v - low) / (high - low) : 0.5),
+    token('--sunken'),
+    selected,
+    token('--text'),
+    token('--surface'),
+  );
   context.font = '11px system-ui, sans-serif';
   context.fillStyle = token('--muted');
   axes(context, data, width, height);
@@ -114,8 +137,14 @@ function rangeOf(values: ArrayLike<number>): [number, number] {
 }
 
 function cells(
-  context: CanvasRenderingContext2D, { columns, rows, values }: HeatMapData, { width, height }: { width: number; height: number },
-  share: (v: number) => number, empty: string, selected: number | null, ink: string, paper: string,
+  context: CanvasRenderingContext2D,
+  { columns, rows, values }: HeatMapData,
+  { width, height }: { width: number; height: number },
+  share: (v: number) => number,
+  empty: string,
+  selected: number | null,
+  ink: string,
+  paper: string,
 ): void {
   const left = (c: number): number => Math.round(LEFT + (c * width) / columns.length);
   const top = (r: number): number => Math.round(TOP + ((rows.length - r) * height) / rows.length);
@@ -129,24 +158,34 @@ function cells(
   if (selected === null) return;
   const c = selected % columns.length;
   const r = Math.floor(selected / columns.length);
-  for (const [style, wide] of [[paper, 4], [ink, 2]] as const) {
+  for (const [style, wide] of [
+    [paper, 4],
+    [ink, 2],
+  ] as const) {
     context.strokeStyle = style;
     context.lineWidth = wide;
     context.strokeRect(left(c), top(r + 1), left(c + 1) - left(c), top(r) - top(r + 1));
   }
 }
 
-function axes(context: CanvasRenderingContext2D, { columns, rows, xLabel, yLabel }: HeatMapData, width: number, height: number): void {
+function axes(
+  context: CanvasRenderingContext2D,
+  { columns, rows, xLabel, yLabel }: HeatMapData,
+  width: number,
+  height: number,
+): void {
   const inner = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
   const every = (n: number, room: number, each: number): number => Math.max(1, Math.ceil((n * each) / room));
   context.textAlign = 'center';
   context.textBaseline = 'top';
   const stepX = every(columns.length, inner.width, 46);
-  for (let c = 0; c < columns.length; c += stepX) context.fillText(short(columns[c]!, 12), LEFT + ((c + 0.5) * inner.width) / columns.length, TOP + inner.height + 5);
+  for (let c = 0; c < columns.length; c += stepX)
+    context.fillText(short(columns[c]!, 12), LEFT + ((c + 0.5) * inner.width) / columns.length, TOP + inner.height + 5);
   context.textAlign = 'right';
   context.textBaseline = 'middle';
   const stepY = every(rows.length, inner.height, 16);
-  for (let r = 0; r < rows.length; r += stepY) context.fillText(short(rows[r]!, 10), LEFT - 6, TOP + ((rows.length - r - 0.5) * inner.height) / rows.length);
+  for (let r = 0; r < rows.length; r += stepY)
+    context.fillText(short(rows[r]!, 10), LEFT - 6, TOP + ((rows.length - r - 0.5) * inner.height) / rows.length);
   context.textAlign = 'center';
   context.textBaseline = 'bottom';
   context.fillText(xLabel, LEFT + inner.width / 2, height - 2);
@@ -158,7 +197,15 @@ function axes(context: CanvasRenderingContext2D, { columns, rows, xLabel, yLabel
   context.restore();
 }
 
-function scale(context: CanvasRenderingContext2D, label: string, low: number, high: number, width: number, height: number, ink: string): void {
+function scale(
+  context: CanvasRenderingContext2D,
+  label: string,
+  low: number,
+  high: number,
+  width: number,
+  height: number,
+  ink: string,
+): void {
   if (!(low <= high)) return;
   const left = width - RIGHT + 14;
   const tall = height - TOP - BOTTOM;
@@ -172,7 +219,11 @@ function scale(context: CanvasRenderingContext2D, label: string, low: number, hi
   for (let k = 0; k <= steps; k++) {
     const share = steps === 0 ? 0.5 : k / steps;
     context.textBaseline = k === 0 && steps > 0 ? 'bottom' : k === steps && steps > 0 ? 'top' : 'middle';
-    context.fillText(tickText(Number((low + share * (high - low)).toPrecision(3))), left + 16, TOP + (1 - share) * tall);
+    context.fillText(
+      tickText(Number((low + share * (high - low)).toPrecision(3))),
+      left + 16,
+      TOP + (1 - share) * tall,
+    );
   }
   context.textAlign = 'right';
   context.textBaseline = 'bottom';

@@ -40,18 +40,51 @@ export function createLinePlot(place: HTMLElement, options: PlotOptions): LinePl
 
   const build = (series: readonly PlotSeries[], data: uPlot.AlignedData): void => {
     plot?.destroy();
-    const axis = { stroke: options.ink, grid: { stroke: options.line, width: 1 }, ticks: { stroke: options.line, width: 1 }, font: '11px system-ui, sans-serif', labelFont: '11px system-ui, sans-serif', labelSize: 16 };
+    const axis = {
+      stroke: options.ink,
+      grid: { stroke: options.line, width: 1 },
+      ticks: { stroke: options.line, width: 1 },
+      font: '11px system-ui, sans-serif',
+      labelFont: '11px system-ui, sans-serif',
+      labelSize: 16,
+    };
     plot = new uPlot(
       {
         ...size,
         legend: { show: false },
         cursor: { drag: { x: true, y: false } },
-        scales: { x: { time: false }, y: { ...(options.logarithmic ? { distr: 3 as const } : {}), range: (_plot, low, high) => limits ?? [low, high] } },
+        scales: {
+          x: { time: false },
+          y: {
+            ...(options.logarithmic ? { distr: 3 as const } : {}),
+            range: (_plot, low, high) => limits ?? [low, high],
+          },
+        },
         axes: [
           { ...axis, label: options.xLabel, size: 28 },
-          { ...axis, label: options.yLabel, size: 60, ...(options.logarithmic ? { splits: (_plot: uPlot, _axis: number, low: number, high: number) => decades(low, high), values: (_plot: uPlot, at: number[]) => at.map(power) } : {}) },
+          {
+            ...axis,
+            label: options.yLabel,
+            size: 60,
+            ...(options.logarithmic
+              ? {
+                  splits: (_plot: uPlot, _axis: number, low: number, high: number) => decades(low, high),
+                  values: (_plot: uPlot, at: number[]) => at.map(power),
+                }
+              : {}),
+          },
         ],
-        series: [{}, ...series.map((s) => ({ label: s.label, stroke: s.color, width: 1.5, dash: s.dash ? [...s.dash] : undefined, points: { show: false }, spanGaps: true }))],
+        series: [
+          {},
+          ...series.map((s) => ({
+            label: s.label,
+            stroke: s.color,
+            width: 1.5,
+            dash: s.dash ? [...s.dash] : undefined,
+            points: { show: false },
+            spanGaps: true,
+          })),
+        ],
       },
       data,
       host!,

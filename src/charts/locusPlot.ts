@@ -31,21 +31,48 @@ export interface LocusPlot {
 }
 
 /** Real parts against what is varied: the half above zero is tinted, critical values are marked. */
-export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, curves, marks, bend, ticks, colors, onPoint }: LocusPlotOptions): LocusPlot {
+export function createLocusPlot(
+  host: HTMLElement,
+  { xLabel, yLabel, values, curves, marks, bend, ticks, colors, onPoint }: LocusPlotOptions,
+): LocusPlot {
   const font = '11px system-ui, sans-serif';
-  const axis = { stroke: colors.ink, grid: { stroke: colors.line, width: 1 }, ticks: { stroke: colors.line, width: 1 }, font, labelFont: font, labelSize: 16, values: (_plot: uPlot, splits: number[]) => splits.map(tickText) };
+  const axis = {
+    stroke: colors.ink,
+    grid: { stroke: colors.line, width: 1 },
+    ticks: { stroke: colors.line, width: 1 },
+    font,
+    labelFont: font,
+    labelSize: 16,
+    values: (_plot: uPlot, splits: number[]) => splits.map(tickText),
+  };
   const plot = new uPlot(
     {
       width: Math.max(100, host.clientWidth),
       height: Math.max(80, host.clientHeight),
       legend: { show: false },
       cursor: { drag: { x: true, y: false }, y: false, points: { show: false } },
-      scales: { x: { time: false }, y: { ...(bend === undefined ? {} : { distr: 4 as const, asinh: bend }), range: (_plot, low, high) => withZero(low, high) } },
+      scales: {
+        x: { time: false },
+        y: {
+          ...(bend === undefined ? {} : { distr: 4 as const, asinh: bend }),
+          range: (_plot, low, high) => withZero(low, high),
+        },
+      },
       axes: [
         { ...axis, label: xLabel, size: 28 },
         { ...axis, label: yLabel, size: 52, ...(ticks ? { splits: () => [...ticks] } : {}) },
       ],
-      series: [{}, ...curves.map(({ color, dash, width }) => ({ stroke: color, width: width ?? 1.5, dash: dash ? [...dash] : undefined, points: { show: false }, spanGaps: false, pxAlign: 0 }))],
+      series: [
+        {},
+        ...curves.map(({ color, dash, width }) => ({
+          stroke: color,
+          width: width ?? 1.5,
+          dash: dash ? [...dash] : undefined,
+          points: { show: false },
+          spanGaps: false,
+          pxAlign: 0,
+        })),
+      ],
       hooks: {
         drawClear: [(u) => fillAbove(u, colors.above)],
         draw: [(u) => drawMarks(u, marks, colors.mark, colors.ink)],
@@ -61,7 +88,8 @@ export function createLocusPlot(host: HTMLElement, { xLabel, yLabel, values, cur
   };
 }
 
-const tickText = (x: number | null): string => (x === null ? '' : String(Number(x.toPrecision(10))).replace('-', '\u2212'));
+const tickText = (x: number | null): string =>
+  x === null ? '' : String(Number(x.toPrecision(10))).replace('-', '\u2212');
 
 function withZero(low: number, high: number): [number, number] {
   const [from, to] = [Math.min(0, low), Math.max(0, high)];

@@ -28,12 +28,17 @@ export interface Frame {
 }
 
 /** Smallest and largest finite x and y of all curves, in units shown; y over the part of x that is zoomed to. 0 .. 1 where there are none. */
-export function limitsOf(curves: readonly OverlayCurve[], zoom: readonly [number, number] | null, rising: boolean): { x: [number, number]; y: [number, number] } {
+export function limitsOf(
+  curves: readonly OverlayCurve[],
+  zoom: readonly [number, number] | null,
+  rising: boolean,
+): { x: [number, number]; y: [number, number] } {
   const x: [number, number] = [Infinity, -Infinity];
   const y: [number, number] = [Infinity, -Infinity];
   for (const curve of curves) {
     const { x: xs, y: ys, xFactor, yFactor } = curve;
-    const [from, to] = zoom && rising ? [firstAt(xs, zoom[0] / xFactor), firstAt(xs, zoom[1] / xFactor) + 1] : [0, xs.length];
+    const [from, to] =
+      zoom && rising ? [firstAt(xs, zoom[0] / xFactor), firstAt(xs, zoom[1] / xFactor) + 1] : [0, xs.length];
     let [lowX, highX, lowY, highY] = [Infinity, -Infinity, Infinity, -Infinity];
     for (let i = Math.max(0, from - 1); i < Math.min(to, xs.length); i++) {
       const [a, b] = [xs[i]!, ys[i]!];
@@ -52,7 +57,12 @@ export function limitsOf(curves: readonly OverlayCurve[], zoom: readonly [number
   return { x: orUnit(x), y: orUnit(y) };
 }
 
-const orUnit = ([low, high]: [number, number]): [number, number] => (low < high ? [low, high] : low === high ? [low - 0.5 * (Math.abs(low) || 1), high + 0.5 * (Math.abs(high) || 1)] : [0, 1]);
+const orUnit = ([low, high]: [number, number]): [number, number] =>
+  low < high
+    ? [low, high]
+    : low === high
+      ? [low - 0.5 * (Math.abs(low) || 1), high + 0.5 * (Math.abs(high) || 1)]
+      : [0, 1];
 
 /** Index of the first x that is not before a value, of rising ones. */
 export function firstAt(xs: ArrayLike<number>, value: number): number {

@@ -151,14 +151,25 @@ class Overlay implements OverlayPlot {
     const width = this.host.clientWidth - LEFT - RIGHT;
     const height = this.host.clientHeight - TOP - BOTTOM;
     const all = limitsOf(this.curves, this.zoom, rising);
-    let [x0, x1] = this.zoom ?? (rising && !this.curves.some((c) => c.points) ? all.x : logarithmicX ? airLogarithmic(all.x) : air(all.x));
+    let [x0, x1] =
+      this.zoom ??
+      (rising && !this.curves.some((c) => c.points) ? all.x : logarithmicX ? airLogarithmic(all.x) : air(all.x));
     let [y0, y1] = this.zoomY ?? air(all.y);
     if (equal) {
       const scale = Math.max((x1 - x0) / width, (y1 - y0) / height);
       [x0, x1] = [(x0 + x1 - scale * width) / 2, (x0 + x1 + scale * width) / 2];
       [y0, y1] = [(y0 + y1 - scale * height) / 2, (y0 + y1 + scale * height) / 2];
     }
-    return { left: LEFT, top: TOP, width, height, low: [logarithmicX ? Math.log10(x0) : x0, y0], high: [logarithmicX ? Math.log10(x1) : x1, y1], logarithmicX, density: devicePixelRatio || 1 };
+    return {
+      left: LEFT,
+      top: TOP,
+      width,
+      height,
+      low: [logarithmicX ? Math.log10(x0) : x0, y0],
+      high: [logarithmicX ? Math.log10(x1) : x1, y1],
+      logarithmicX,
+      density: devicePixelRatio || 1,
+    };
   }
 
   private drawAxes(context: CanvasRenderingContext2D): void {
@@ -171,7 +182,9 @@ class Overlay implements OverlayPlot {
     context.textAlign = 'center';
     context.textBaseline = 'top';
     const bottom = top + height;
-    const xs = logarithmicX ? decadeTicks(10 ** low[0], 10 ** high[0], width / 60) : linearTicks(low[0], high[0], width / 70);
+    const xs = logarithmicX
+      ? decadeTicks(10 ** low[0], 10 ** high[0], width / 60)
+      : linearTicks(low[0], high[0], width / 70);
     context.beginPath();
     for (const x of xs) {
       const at = Math.round(this.toX(x)) + 0.5;
@@ -238,7 +251,11 @@ class Overlay implements OverlayPlot {
   private press(event: PointerEvent): void {
     if (event.button !== 0) return;
     const from: Pair = [event.offsetX, event.offsetY];
-    const onCursor = this.options.rising && this.options.onSeek !== undefined && this.cursor !== null && Math.abs(this.toX(this.cursor.x) - from[0]) <= REACH;
+    const onCursor =
+      this.options.rising &&
+      this.options.onSeek !== undefined &&
+      this.cursor !== null &&
+      Math.abs(this.toX(this.cursor.x) - from[0]) <= REACH;
     this.drag = { from, to: from, kind: onCursor ? 'seek' : 'zoom', far: false };
     this.cover.setPointerCapture(event.pointerId);
   }
@@ -266,7 +283,8 @@ class Overlay implements OverlayPlot {
     if (drag.far && drag.kind === 'zoom') {
       const [x0, y0, w, h] = this.box();
       // A sliver is a slip of the hand.
-      if (w > SLACK) this.zoomTo([this.fromX(x0), this.fromX(x0 + w)], options.rising ? null : [this.fromY(y0 + h), this.fromY(y0)]);
+      if (w > SLACK)
+        this.zoomTo([this.fromX(x0), this.fromX(x0 + w)], options.rising ? null : [this.fromY(y0 + h), this.fromY(y0)]);
     } else if (!drag.far) {
       const found = options.onPick ? this.pointAt(drag.to) : null;
       if (found) options.onPick!(found.curve, found.index);
@@ -293,7 +311,9 @@ class Overlay implements OverlayPlot {
     const { from, to } = this.drag!;
     const within = (v: number, low: number, size: number): number => Math.min(Math.max(v, low), low + size);
     const [x0, x1] = [from[0], to[0]].map((x) => within(x, left, width)).sort((a, b) => a - b) as [number, number];
-    const [y0, y1] = this.options.rising ? [top, top + height] : ([from[1], to[1]].map((y) => within(y, top, height)).sort((a, b) => a - b) as [number, number]);
+    const [y0, y1] = this.options.rising
+      ? [top, top + height]
+      : ([from[1], to[1]].map((y) => within(y, top, height)).sort((a, b) => a - b) as [number, number]);
     return [x0, y0, x1 - x0, y1 - y0];
   }
 
@@ -303,7 +323,10 @@ class Overlay implements OverlayPlot {
     this.curves.forEach((curve, c) => {
       if (!curve.points) return;
       for (let i = 0; i < curve.x.length; i++) {
-        const distance = Math.hypot(this.toX(curve.x[i]! * curve.xFactor) - x, this.toY(curve.y[i]! * curve.yFactor) - y);
+        const distance = Math.hypot(
+          this.toX(curve.x[i]! * curve.xFactor) - x,
+          this.toY(curve.y[i]! * curve.yFactor) - y,
+        );
         if (distance < nearest) {
           nearest = distance;
           best = { curve: c, index: i };

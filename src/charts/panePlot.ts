@@ -53,15 +53,26 @@ export function createPanePlot(host: HTMLElement): PanePlot {
   const dotsBox = document.createElement('div');
   const sheet = Object.assign(document.createElement('canvas'), { className: 'pane-curves' });
   const ruled = { stroke: () => token('--line'), width: 1 };
-  const axis = { stroke: () => token('--muted'), grid: ruled, ticks: ruled, font: FONT, labelFont: FONT, labelSize: 15 };
-  const typeset = (_: uPlot, at: number[]): string[] => at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
+  const axis = {
+    stroke: () => token('--muted'),
+    grid: ruled,
+    ticks: ruled,
+    font: FONT,
+    labelFont: FONT,
+    labelSize: 15,
+  };
+  const typeset = (_: uPlot, at: number[]): string[] =>
+    at.map((v) => String(Number(v.toPrecision(8))).replace('-', '\u2212'));
   const plot = new uPlot(
     {
       // Its size comes with the page's next layout: asking for it here would have the page laid out at once.
       ...SMALLEST,
       legend: { show: false },
       cursor: { show: false },
-      scales: { x: { time: false, range: () => [...shown.x] as [number, number] }, y: { range: () => [...shown.y] as [number, number] } },
+      scales: {
+        x: { time: false, range: () => [...shown.x] as [number, number] },
+        y: { range: () => [...shown.y] as [number, number] },
+      },
       axes: [
         { ...axis, label: () => shown.xLabel, size: 26, values: typeset },
         { ...axis, label: () => shown.yLabel, size: 46, values: typeset },
@@ -69,7 +80,10 @@ export function createPanePlot(host: HTMLElement): PanePlot {
       series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
       hooks: { draw: [(u) => strokeAll(u, sheet, shown.curves)] },
     },
-    [[0, 1], [0, 0]],
+    [
+      [0, 1],
+      [0, 0],
+    ],
     host,
   );
   plot.over.before(sheet);
@@ -95,7 +109,8 @@ export function createPanePlot(host: HTMLElement): PanePlot {
       cursor.hidden = !inside;
       if (inside) cursor.style.transform = `translateX(${left}px)`;
       while (dotsBox.children.length > dots.length) dotsBox.lastChild!.remove();
-      while (dotsBox.children.length < dots.length) dotsBox.append(Object.assign(document.createElement('div'), { className: 'pane-dot' }));
+      while (dotsBox.children.length < dots.length)
+        dotsBox.append(Object.assign(document.createElement('div'), { className: 'pane-dot' }));
       dots.forEach((dot, i) => {
         const element = dotsBox.children[i] as HTMLElement;
         const [px, py] = [plot.valToPos(dot.x, 'x'), plot.valToPos(dot.y, 'y')];
@@ -112,7 +127,8 @@ export function createPanePlot(host: HTMLElement): PanePlot {
     get width() {
       return area()[0];
     },
-    resize: (width, height) => plot.setSize({ width: Math.max(SMALLEST.width, width), height: Math.max(SMALLEST.height, height) }),
+    resize: (width, height) =>
+      plot.setSize({ width: Math.max(SMALLEST.width, width), height: Math.max(SMALLEST.height, height) }),
     destroy: () => plot.destroy(),
   };
 }

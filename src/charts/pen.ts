@@ -83,4 +83,5 @@ export class Pen {
 }
 
 /** Lines are drawn by the processor: where no graphics card is, emulating one takes a hundred times as long, and a scene waits for it. */
-export const lineContext = (canvas: HTMLCanvasElement): CanvasRenderingContext2D => canvas.getContext('2d', { willReadFrequently: true })!;
+export const lineContext = (canvas: HTMLCanvasElement): CanvasRenderingContext2D =>
+  canvas.getContext('2d', { willReadFrequently: true })!;

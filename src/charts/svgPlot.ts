@@ -32,7 +32,10 @@ const FINE = 0.5;
 export function plotSheet(plots: readonly LinePlotSpec[]): string {
   const columns = Math.min(2, plots.length);
   const rows = Math.ceil(plots.length / columns);
-  const body = plots.map((plot, i) => `<g transform="translate(${(i % columns) * WIDTH} ${Math.floor(i / columns) * HEIGHT})">${onePlot(plot)}</g>`);
+  const body = plots.map(
+    (plot, i) =>
+      `<g transform="translate(${(i % columns) * WIDTH} ${Math.floor(i / columns) * HEIGHT})">${onePlot(plot)}</g>`,
+  );
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${columns * WIDTH} ${rows * HEIGHT}" width="${columns * WIDTH}" height="${rows * HEIGHT}" font-family="system-ui, sans-serif" font-size="11">`,
     `<rect width="100%" height="100%" fill="#ffffff"/>`,
@@ -43,10 +46,21 @@ export function plotSheet(plots: readonly LinePlotSpec[]): string {
 }
 
 function onePlot({ title, xLabel, yLabel, lines, to = Infinity, equal = false }: LinePlotSpec): string {
-  const shown = lines.map((line) => ({ ...line, points: Array.from(line.x, (x, i): [number, number] => [x, line.y[i]!]).filter(([x, y]) => x <= to && Number.isFinite(y)) }));
+  const shown = lines.map((line) => ({
+    ...line,
+    points: Array.from(line.x, (x, i): [number, number] => [x, line.y[i]!]).filter(
+      ([x, y]) => x <= to && Number.isFinite(y),
+    ),
+  }));
   const all = shown.flatMap((line) => line.points);
-  let [x0, x1] = extent(all.map(([x]) => x), 0);
-  let [y0, y1] = extent(all.map(([, y]) => y), 0.05);
+  let [x0, x1] = extent(
+    all.map(([x]) => x),
+    0,
+  );
+  let [y0, y1] = extent(
+    all.map(([, y]) => y),
+    0.05,
+  );
   const [w, h] = [WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM];
   if (equal) {
     const perPixel = Math.max((x1 - x0) / w, (y1 - y0) / h);
@@ -56,11 +70,26 @@ function onePlot({ title, xLabel, yLabel, lines, to = Infinity, equal = false }:
   const X = (x: number): number => LEFT + ((x - x0) / (x1 - x0)) * w;
   const Y = (y: number): number => TOP + h - ((y - y0) / (y1 - y0)) * h;
   const grid = [
-    ...ticks(x0, x1).map((x) => `<path d="M${px(X(x))} ${TOP}v${h}" stroke="#e3e5e8"/><text x="${px(X(x))}" y="${TOP + h + 14}" text-anchor="middle" fill="#555b63">${number(x)}</text>`),
-    ...ticks(y0, y1).map((y) => `<path d="M${LEFT} ${px(Y(y))}h${w}" stroke="#e3e5e8"/><text x="${LEFT - 6}" y="${px(Y(y) + 4)}" text-anchor="end" fill="#555b63">${number(y)}</text>`),
+    ...ticks(x0, x1).map(
+      (x) =>
+        `<path d="M${px(X(x))} ${TOP}v${h}" stroke="#e3e5e8"/><text x="${px(X(x))}" y="${TOP + h + 14}" text-anchor="middle" fill="#555b63">${number(x)}</text>`,
+    ),
+    ...ticks(y0, y1).map(
+      (y) =>
+        `<path d="M${LEFT} ${px(Y(y))}h${w}" stroke="#e3e5e8"/><text x="${LEFT - 6}" y="${px(Y(y) + 4)}" text-anchor="end" fill="#555b63">${number(y)}</text>`,
+    ),
   ];
-  const curves = shown.map((line, i) => `<path d="${path(line.points.map(([x, y]) => [X(x), Y(y)]))}" fill="none" stroke="${COLORS[i % COLORS.length]}" stroke-width="1.5"${i >= COLORS.length ? ' stroke-dasharray="5 3"' : ''}/>`);
-  const legend = shown.length < 2 ? [] : shown.map((line, i) => `<text x="${WIDTH - RIGHT - 4}" y="${TOP + 13 + 13 * i}" text-anchor="end" fill="${COLORS[i % COLORS.length]}" stroke="#ffffff" stroke-width="3" paint-order="stroke">${escaped(line.label)}</text>`);
+  const curves = shown.map(
+    (line, i) =>
+      `<path d="${path(line.points.map(([x, y]) => [X(x), Y(y)]))}" fill="none" stroke="${COLORS[i % COLORS.length]}" stroke-width="1.5"${i >= COLORS.length ? ' stroke-dasharray="5 3"' : ''}/>`,
+  );
+  const legend =
+    shown.length < 2
+      ? []
+      : shown.map(
+          (line, i) =>
+            `<text x="${WIDTH - RIGHT - 4}" y="${TOP + 13 + 13 * i}" text-anchor="end" fill="${COLORS[i % COLORS.length]}" stroke="#ffffff" stroke-width="3" paint-order="stroke">${escaped(line.label)}</text>`,
+        );
   return [
     `<text x="${LEFT}" y="18" font-size="13" font-weight="600" fill="#1b1e22">${escaped(title)}</text>`,
     ...grid,

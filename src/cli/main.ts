@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
-import { StartError } from '../core/dynamics/consistentStart.ts';
+import { StartError } from '../core/mechanics/consistentStart.ts';
 import { cases } from '../core/cases/cases.ts';
-import { controlReport } from '../core/control/report.ts';
+import { controlReport } from '../core/control/design/report.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/registry.ts';
@@ -26,7 +26,9 @@ function readScenario(name: string | undefined): Scenario {
   try {
     text = readFileSync(name === '-' ? 0 : pathOf(name), 'utf8');
   } catch (error) {
-    throw new UsageError(`${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`);
+    throw new UsageError(
+      `${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`,
+    );
   }
   return parseScenario(text, metas);
 }

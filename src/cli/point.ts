@@ -1,4 +1,4 @@
-import { feedbackOf } from '../core/control/feedback.ts';
+import { feedbackOf } from '../core/control/design/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/systems/types.ts';

@@ -1,9 +1,9 @@
 import { closeSync, openSync, writeSync } from 'node:fs';
-import { feedbackOf } from '../core/control/feedback.ts';
+import { feedbackOf } from '../core/control/design/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/systems/types.ts';
-import { writeCsv } from '../io/csv.ts';
+import { writeCsv } from '../csv/csv.ts';
 import { UsageError, pathOf } from './usage.ts';
 
 /** Rows between writes: the file grows while the run computes, and memory does not. */
@@ -41,7 +41,7 @@ export function simulate(scenario: Scenario, system: System, out: string | undef
 function writeAll(file: number, text: string): void {
   const bytes = Buffer.from(text);
   const pause = new Int32Array(new SharedArrayBuffer(4));
-  for (let at = 0; at < bytes.length; ) {
+  for (let at = 0; at < bytes.length;) {
     try {
       at += writeSync(file, bytes, at);
     } catch (error) {

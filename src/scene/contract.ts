@@ -47,7 +47,12 @@ export interface Frame {
   /** Rolled angle (rad) about the axle (+y, forwards positive) of each wheel that no coordinate turns, as `spin` counts them; empty when unknown. */
   wheelAngles: Float64Array;
   /** Constraint forces: world origin and vector in N, or empty. */
-  forces: readonly { part: 'front' | 'back'; kind: 'lateral' | 'vertical'; origin: readonly [number, number, number]; vector: readonly [number, number, number] }[];
+  forces: readonly {
+    part: 'front' | 'back';
+    kind: 'lateral' | 'vertical';
+    origin: readonly [number, number, number];
+    vector: readonly [number, number, number];
+  }[];
 }
 
 /** A path so far: x, y, z triples, times rising; views into growing arrays. */
@@ -195,7 +200,15 @@ export interface SceneView {
   /** Asks for one picture; any number of requests before it give one. */
   requestRender(): void;
   /** Pictures drawn so far, what the last one held, the bodies on the stage, and what the graphics card holds. */
-  stats(): { frames: number; triangles: number; calls: number; bodies: number; geometries: number; textures: number; programs: number };
+  stats(): {
+    frames: number;
+    triangles: number;
+    calls: number;
+    bodies: number;
+    geometries: number;
+    textures: number;
+    programs: number;
+  };
   /** World position of a body's origin (m), or null when it is not drawn. */
   bodyPosition(index: number): [number, number, number] | null;
   /** Body to world, 16 numbers by columns. */

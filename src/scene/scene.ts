@@ -1,22 +1,22 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
 import { Color, Fog, Scene, Vector3 } from 'three';
-import { CameraRig } from './camera.ts';
+import { CameraRig } from './camera/camera.ts';
 import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contract.ts';
-import { openContext, watchContext } from './device.ts';
-import { Focus } from './focus.ts';
-import { METRES_PER_NEWTON } from './forces.ts';
-import { Grab } from './grab.ts';
-import { Inset } from './inset.ts';
-import { letGoOfUploads } from './lostContext.ts';
+import { openContext, watchContext } from './environment/device.ts';
+import { Focus } from './camera/focus.ts';
+import { METRES_PER_NEWTON } from './overlay/forces.ts';
+import { Grab } from './overlay/grab.ts';
+import { Inset } from './overlay/inset.ts';
+import { letGoOfUploads } from './environment/lostContext.ts';
 import { palettes } from './palette.ts';
-import { Parts } from './parts.ts';
-import { boxOnScreen, onFacingPlane, pickBody, projected } from './picking.ts';
-import { rendererFor } from './renderer.ts';
-import { Room } from './room.ts';
-import { liesDown, type Triple } from './views.ts';
-import { MARKS } from './words.ts';
+import { Parts } from './actors/parts.ts';
+import { boxOnScreen, onFacingPlane, pickBody, projected } from './overlay/picking.ts';
+import { rendererFor } from './environment/renderer.ts';
+import { Room } from './environment/room.ts';
+import { liesDown, type Triple } from './camera/views.ts';
+import { MARKS } from './overlay/words.ts';
 
-export { NoWebGlError } from './device.ts';
+export { NoWebGlError } from './environment/device.ts';
 
 const MAX_PIXEL_RATIO = 2;
 
@@ -35,7 +35,11 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   if (options.still?.transparent) parts.ground.hideDisc();
   if (options.still?.labels === false) parts.labels.hide();
   const focus = new Focus();
-  const grab = new Grab(canvas, { pick: pickAt, reachTo, pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]) }, options); // hears of a press before the camera does
+  const grab = new Grab(
+    canvas,
+    { pick: pickAt, reachTo, pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]) },
+    options,
+  ); // hears of a press before the camera does
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
   rig.camera.layers.enable(MARKS);
   const inset = new Inset();
@@ -57,7 +61,14 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   let arrows: Frame['forces'] = [];
   let view: ViewName = 'orbit';
   let follow = true;
-  let switches: Switches = { trails: true, forces: false, names: false, frames: false, metresPerNewton: METRES_PER_NEWTON, level: true };
+  let switches: Switches = {
+    trails: true,
+    forces: false,
+    names: false,
+    frames: false,
+    metresPerNewton: METRES_PER_NEWTON,
+    level: true,
+  };
   let scale = 0;
 
   function requestRender(): void {
@@ -147,7 +158,9 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
 
   function reachTo(x: number, y: number, at: { body: number; point: Triple }): Triple | null {
     const matrix = bodies.matrix(at.body);
-    return matrix ? (onFacingPlane(x, y, new Vector3(...at.point).applyMatrix4(matrix), rig.camera, size)?.toArray() ?? null) : null;
+    return matrix
+      ? (onFacingPlane(x, y, new Vector3(...at.point).applyMatrix4(matrix), rig.camera, size)?.toArray() ?? null)
+      : null;
   }
 
   const stopWatching = watchContext(
@@ -159,7 +172,10 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       grab.release();
       room.lose();
       parts.labels.forget();
-      letGoOfUploads(scene, (material) => (renderer.properties.get(material) as { uniforms?: Record<string, { value: unknown }> }).uniforms);
+      letGoOfUploads(
+        scene,
+        (material) => (renderer.properties.get(material) as { uniforms?: Record<string, { value: unknown }> }).uniforms,
+      );
       options.onContextLost?.();
     },
     () => {
@@ -247,7 +263,11 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       bodies.setVisible(index, visible);
       show();
     },
-    placement: () => ({ camera: rig.camera.position.toArray(), target: rig.target.toArray(), up: rig.camera.up.toArray() }),
+    placement: () => ({
+      camera: rig.camera.position.toArray(),
+      target: rig.target.toArray(),
+      up: rig.camera.up.toArray(),
+    }),
     setPlacement({ camera, target, up }) {
       if (view === 'rider') rig.ride({ eye: camera, target, up });
       else rig.go(camera, target, true);
@@ -262,8 +282,13 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     },
     requestRender,
     stats: () => ({
-      frames, triangles: renderer.info.render.triangles, calls: renderer.info.render.calls, bodies: bodies.count,
-      geometries: renderer.info.memory.geometries, textures: renderer.info.memory.textures, programs: renderer.info.programs?.length ?? 0,
+      frames,
+      triangles: renderer.info.render.triangles,
+      calls: renderer.info.render.calls,
+      bodies: bodies.count,
+      geometries: renderer.info.memory.geometries,
+      textures: renderer.info.memory.textures,
+      programs: renderer.info.programs?.length ?? 0,
     }),
     bodyPosition: (index) => bodies.originOf(index)?.toArray() ?? null,
     bodyMatrix: (index) => bodies.matrix(index)?.toArray() ?? null,

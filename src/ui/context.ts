@@ -6,7 +6,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { App, CaseInfo } from '../app/types.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/systems/types.ts';
-import { sameContent } from './draft.ts';
+import { sameContent } from '../app/state/draft.ts';
 import type { Tool } from './tool.ts';
 
 export interface MethodChoice {
@@ -44,10 +44,20 @@ export function useUi(): Ui {
   return ui;
 }
 
-export function createUi(app: App, methods: readonly MethodChoice[], formulations: readonly FormulationChoice[], tools: readonly Tool[], origin?: ReadonlySignal<CaseInfo | null>): Ui {
+export function createUi(
+  app: App,
+  methods: readonly MethodChoice[],
+  formulations: readonly FormulationChoice[],
+  tools: readonly Tool[],
+  origin?: ReadonlySignal<CaseInfo | null>,
+): Ui {
   const epoch = signal(0);
   return {
-    app, methods, formulations, tools, epoch,
+    app,
+    methods,
+    formulations,
+    tools,
+    epoch,
     origin: origin ?? lastMatchingCase(app),
     rejected: signal<ReadonlyMap<string, string>>(new Map()),
     system: computed(() => app.systemOf(app.state.draft.value.system)),
@@ -59,7 +69,8 @@ function lastMatchingCase(app: App): ReadonlySignal<CaseInfo | null> {
   let last: CaseInfo | null = null;
   return computed(() => {
     const draft = app.state.draft.value;
-    last = app.cases.find((c) => sameContent(c.scenario, draft)) ?? (last?.scenario.system === draft.system ? last : null);
+    last =
+      app.cases.find((c) => sameContent(c.scenario, draft)) ?? (last?.scenario.system === draft.system ? last : null);
     return last;
   });
 }

@@ -1,5 +1,5 @@
 import type { ComponentType } from 'preact';
-import type { IconName } from './controls.tsx';
+import type { IconName } from './kit/controls.tsx';
 
 /** A place to work in beside the scene: one entry of the rail, one tab of the phone's sheet. */
 export interface Tool {

@@ -2,9 +2,9 @@
 import { readFileSync } from 'node:fs';
 import { Matrix, solve } from 'ml-matrix';
 import { describe, expect, test } from 'vitest';
-import { controlReport } from '../../src/core/control/report.ts';
-import { scenarioLocus } from '../../src/core/control/scenarioLocus.ts';
-import type { Complex } from '../../src/core/control/spectrum.ts';
+import { controlReport } from '../../src/core/control/design/report.ts';
+import { scenarioLocus } from '../../src/core/control/locus/scenarioLocus.ts';
+import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
 import { systems } from '../../src/core/systems/registry.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
@@ -13,12 +13,15 @@ interface Benchmark {
   eigenvalues_by_speed: Record<string, { capsize: number; castering: number; weave_re: number; weave_im: number }>;
   critical_speeds: { weave: { v: number }; capsize: { v: number } };
 }
-const benchmark = JSON.parse(readFileSync(new URL('../reference/whipple-benchmark.json', import.meta.url), 'utf8')) as Benchmark;
+const benchmark = JSON.parse(
+  readFileSync(new URL('../reference/whipple-benchmark.json', import.meta.url), 'utf8'),
+) as Benchmark;
 const bicycle = systems['bicycle']!;
 const at = (speed: number) => scenarioOf({ version: 1, system: 'bicycle', at: { speed } });
 
 /** The four eigenvalues of lean and steer: what is left without the zeros of place, heading and speed. */
-const moving = (speed: number): Complex[] => controlReport(at(speed), bicycle).eigenvalues.filter(([re, im]) => Math.hypot(re, im) > 0);
+const moving = (speed: number): Complex[] =>
+  controlReport(at(speed), bicycle).eigenvalues.filter(([re, im]) => Math.hypot(re, im) > 0);
 
 function nearest(values: readonly Complex[], [re, im]: Complex): number {
   return Math.min(...values.map(([a, b]) => Math.hypot(a - re, b - im)));
@@ -30,15 +33,28 @@ test('at rest: two pairs of opposite eigenvalues', () => {
   for (const value of benchmark.eigenvalues_v0) expect(nearest(found, [value, 0])).toBeLessThan(1e-9);
 });
 
-test.each(Object.entries(benchmark.eigenvalues_by_speed))('eigenvalues at %s m/s', (speed, { capsize, castering, weave_re, weave_im }) => {
-  const found = moving(Number(speed));
-  expect(found).toHaveLength(4);
-  const expected: Complex[] = [[capsize, 0], [castering, 0], [weave_re, weave_im], [weave_re, -weave_im]];
-  for (const value of expected) expect(nearest(found, value)).toBeLessThan(1e-9);
-});
+test.each(Object.entries(benchmark.eigenvalues_by_speed))(
+  'eigenvalues at %s m/s',
+  (speed, { capsize, castering, weave_re, weave_im }) => {
+    const found = moving(Number(speed));
+    expect(found).toHaveLength(4);
+    const expected: Complex[] = [
+      [capsize, 0],
+      [castering, 0],
+      [weave_re, weave_im],
+      [weave_re, -weave_im],
+    ];
+    for (const value of expected) expect(nearest(found, value)).toBeLessThan(1e-9);
+  },
+);
 
 test('weave and capsize speeds are where modes cease and begin to grow', () => {
-  const locus = scenarioLocus(at(5), bicycle, { vary: 'at', name: 'x_dot', from: 3.05, to: 8, count: 40, closed: false }, () => {});
+  const locus = scenarioLocus(
+    at(5),
+    bicycle,
+    { vary: 'at', name: 'x_dot', from: 3.05, to: 8, count: 40, closed: false },
+    () => {},
+  );
   const critical = locus.critical.map((c) => c.value);
   expect(critical).toHaveLength(2);
   const { weave, capsize } = benchmark.critical_speeds;
@@ -48,7 +64,13 @@ test('weave and capsize speeds are where modes cease and begin to grow', () => {
 
 describe('the nonlinear bicycle near upright', () => {
   const run = (speed: number, initial: object, duration: number) =>
-    runOf({ version: 1, system: 'bicycle', initial: { speed, ...initial }, duration, method: { name: 'dop853', rtol: 1e-12, atol: 1e-14 } });
+    runOf({
+      version: 1,
+      system: 'bicycle',
+      initial: { speed, ...initial },
+      duration,
+      method: { name: 'dop853', rtol: 1e-12, atol: 1e-14 },
+    });
 
   test('speed alone is straight ahead with rolling wheels', () => {
     const { columns, end } = run(4.6, {}, 2);
@@ -60,7 +82,8 @@ describe('the nonlinear bicycle near upright', () => {
   });
 
   test.each([
-    ['weave grows', 4], ['weave decays', 5],
+    ['weave grows', 4],
+    ['weave decays', 5],
   ] as const)('%s at %d m/s at the rate of its eigenvalue, and energy is kept', (_, speed) => {
     const { weave_re, weave_im, capsize } = benchmark.eigenvalues_by_speed[String(speed)]!;
     const { columns, counts } = run(speed, { roll: 1e-4 }, 5);
@@ -68,7 +91,11 @@ describe('the nonlinear bicycle near upright', () => {
     // After 1.5 s castering has died away: rows of lean obey a recurrence of three terms, of which e^(lambda d) are the roots.
     const rows = 15;
     const terms = recurrence(columns.get('roll')!.subarray(150), rows);
-    for (const value of [[weave_re, weave_im], [capsize, 0]] as const) expect(rootError(terms, value, 0.01 * rows)).toBeLessThan(1e-4);
+    for (const value of [
+      [weave_re, weave_im],
+      [capsize, 0],
+    ] as const)
+      expect(rootError(terms, value, 0.01 * rows)).toBeLessThan(1e-4);
   });
 
   test('capsize grows at 8 m/s at the rate of its eigenvalue', () => {

@@ -2,15 +2,15 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { kernelFile, kernelSizes, kernelText } from '../../scripts/write-kernels.ts';
 import { cases } from '../../src/core/cases/cases.ts';
-import { ConstrainedSystem } from '../../src/core/dynamics/constrainedSystem.ts';
-import { actuationOf } from '../../src/core/dynamics/forcing.ts';
-import { blockOrder } from '../../src/core/dynamics/formulations/blockOrder.ts';
-import { BlockTriangular } from '../../src/core/dynamics/formulations/blockTriangular.ts';
-import type { Formulation } from '../../src/core/dynamics/formulations/contract.ts';
-import { formulations } from '../../src/core/dynamics/formulations/formulations.ts';
-import { NullSpace } from '../../src/core/dynamics/formulations/nullSpace.ts';
-import { createFormulation } from '../../src/core/dynamics/formulations/registry.ts';
-import { Projection } from '../../src/core/dynamics/projection.ts';
+import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
+import { actuationOf } from '../../src/core/mechanics/forcing.ts';
+import { blockOrder } from '../../src/core/mechanics/formulations/blockOrder.ts';
+import { BlockTriangular } from '../../src/core/mechanics/formulations/blockTriangular.ts';
+import type { Formulation } from '../../src/core/mechanics/formulations/contract.ts';
+import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
+import { NullSpace } from '../../src/core/mechanics/formulations/nullSpace.ts';
+import { createFormulation } from '../../src/core/mechanics/formulations/registry.ts';
+import { Projection } from '../../src/core/mechanics/projection.ts';
 import { qrFull } from '../../src/core/linalg/qr.ts';
 import { loopKernels, saddleKernels } from '../../src/core/linalg/saddle.ts';
 import { systems } from '../../src/core/systems/registry.ts';
@@ -80,7 +80,9 @@ describe.each(setups)('$name', (setup) => {
         // A chart stays while it is good, so that most states are away from its base.
         formulation.rebase(q, v);
         accelerationOf(formulation, t, q, v).forEach((a, i) => {
-          expect(Math.abs(a - expected[i]!) / size, `${ids[k]}, seed ${seed}, ${coordinates[i]!.name}`).toBeLessThan(1e-9);
+          expect(Math.abs(a - expected[i]!) / size, `${ids[k]}, seed ${seed}, ${coordinates[i]!.name}`).toBeLessThan(
+            1e-9,
+          );
         });
       });
     }
@@ -118,7 +120,9 @@ describe.each(setups)('$name', (setup) => {
         const [a, b, c, d] = [at(j, 2 * h), at(j, h), at(j, -h), at(j, -2 * h)];
         for (let i = 0; i < size; i++) {
           const difference = (8 * (b[i]! - c[i]!) - (a[i]! - d[i]!)) / (12 * h);
-          expect(Math.abs(difference - J[i * size + j]!) / largest, `${id}, seed ${seed}, [${i}][${j}]`).toBeLessThan(1e-8);
+          expect(Math.abs(difference - J[i * size + j]!) / largest, `${id}, seed ${seed}, [${i}][${j}]`).toBeLessThan(
+            1e-8,
+          );
         }
       }
     }
@@ -130,7 +134,10 @@ describe('runs', () => {
   const hanging = { ...cases.find((c) => c.id === 'hanging')!.scenario, duration: 2 };
   const leaning = { version: 1, system: 'ripstik', initial: { X_dot: 1, alpha: '0.5 deg' }, duration: 0.5 };
 
-  test.each([['hanging for 2 s', hanging], ['rolling at 1 m/s with half a degree of lean for 0.5 s', leaning]])('all formulations agree within 1e-6: %s', (_, scenario) => {
+  test.each([
+    ['hanging for 2 s', hanging],
+    ['rolling at 1 m/s with half a degree of lean for 0.5 s', leaning],
+  ])('all formulations agree within 1e-6: %s', (_, scenario) => {
     const [first, ...others] = ids.map((formulation) => runOf({ ...scenario, method: { ...tight, formulation } }));
     expect(first!.end.reason).toBe('end');
     for (const other of others) {
@@ -138,23 +145,29 @@ describe('runs', () => {
       for (const c of coordinates) {
         for (const name of [c.name, `${c.name}_dot`]) {
           const expected = first!.columns.get(name)!;
-          other.columns.get(name)!.forEach((x, k) => expect(Math.abs(x - expected[k]!), `${name}, row ${k}`).toBeLessThan(1e-6));
+          other.columns
+            .get(name)!
+            .forEach((x, k) => expect(Math.abs(x - expected[k]!), `${name}, row ${k}`).toBeLessThan(1e-6));
         }
       }
     }
   });
 
-  test.each(ids)('%s: constraints hold to 1e-12 in every row with projection, through changes of the chart', (formulation) => {
-    const turning = cases.find((c) => c.id === 'turning')!.scenario;
-    const run = runOf({ ...turning, duration: 4, method: { formulation, rtol: 1e-6, atol: 1e-8 } });
-    expect(run.end.reason).toBe('end');
-    expect(Math.max(...run.columns.get('residual')!)).toBeLessThan(1e-12);
-  });
+  test.each(ids)(
+    '%s: constraints hold to 1e-12 in every row with projection, through changes of the chart',
+    (formulation) => {
+      const turning = cases.find((c) => c.id === 'turning')!.scenario;
+      const run = runOf({ ...turning, duration: 4, method: { formulation, rtol: 1e-6, atol: 1e-8 } });
+      expect(run.end.reason).toBe('end');
+      expect(Math.max(...run.columns.get('residual')!)).toBeLessThan(1e-12);
+    },
+  );
 
   test.each(ids)('%s: without projection the residual grows, and the columns show it', (formulation) => {
     const scenario = { ...cases.find((c) => c.id === 'falling-report')!.scenario, duration: 4 };
     const method = { formulation, rtol: 1e-6, atol: 1e-8 };
-    const residual = (projection: boolean) => runOf({ ...scenario, method: { ...method, projection } }).columns.get('residual')!;
+    const residual = (projection: boolean) =>
+      runOf({ ...scenario, method: { ...method, projection } }).columns.get('residual')!;
     const free = residual(false);
     const largest = (from: number, to: number) => Math.max(...free.subarray(from, to));
     expect(Math.max(...residual(true))).toBeLessThan(1e-12);
@@ -164,7 +177,11 @@ describe('runs', () => {
   });
 
   test('independent speeds keep velocity constraints without projection; only heights drift', () => {
-    const scenario = { ...cases.find((c) => c.id === 'falling-report')!.scenario, duration: 2, method: { formulation: 'nullspace-qr', rtol: 1e-6, atol: 1e-8, projection: false } };
+    const scenario = {
+      ...cases.find((c) => c.id === 'falling-report')!.scenario,
+      duration: 2,
+      method: { formulation: 'nullspace-qr', rtol: 1e-6, atol: 1e-8, projection: false },
+    };
     const run = runOf(scenario);
     const dynamics = run.simulation.dynamics;
     const [q, v] = [new Float64Array(n), new Float64Array(n)];
@@ -175,7 +192,8 @@ describe('runs', () => {
         v[i] = run.columns.get(`${c.name}_dot`)![k]!;
       });
       dynamics.constraints!.evaluate(q, v, dynamics.parameters, omega, residual);
-      for (let r = 0; r < 4; r++) expect(Math.abs(v.reduce((sum, x, i) => sum + omega[r * n + i]! * x, 0))).toBeLessThan(1e-12);
+      for (let r = 0; r < 4; r++)
+        expect(Math.abs(v.reduce((sum, x, i) => sum + omega[r * n + i]! * x, 0))).toBeLessThan(1e-12);
     }
   });
 });
@@ -225,7 +243,9 @@ describe('block triangular', () => {
 
   test('no matching: structurally singular', () => {
     expect(blockOrder([[0], [0], [0, 1, 2]])).toBeNull();
-    const overheld = new BlockTriangular(dynamicsOf({ name: '', constraints: 'rolling', hold: coordinates.map((c) => c.name), extra: {} }));
+    const overheld = new BlockTriangular(
+      dynamicsOf({ name: '', constraints: 'rolling', hold: coordinates.map((c) => c.name), extra: {} }),
+    );
     expect(overheld.blocks).toEqual([]);
     const y = new Float64Array(2 * n);
     expect(overheld.derivative(0, y, new Float64Array(2 * n))).toBe(false);
@@ -234,7 +254,10 @@ describe('block triangular', () => {
 
   test('the hanging board is two independent halves', () => {
     const { blocks } = new BlockTriangular(dynamicsOf(setups[5]!));
-    expect(blocks.map((b) => [...b].sort()).sort()).toEqual([['alpha_bp_ddot', 'theta_bc_ddot'], ['alpha_fp_ddot', 'theta_fc_ddot']]);
+    expect(blocks.map((b) => [...b].sort()).sort()).toEqual([
+      ['alpha_bp_ddot', 'theta_bc_ddot'],
+      ['alpha_fp_ddot', 'theta_fc_ddot'],
+    ]);
   });
 
   test.each(['rolling', 'report', 'none'])('the board with %s is essentially one block', (constraints) => {
@@ -254,7 +277,9 @@ describe('kernels', () => {
     const random = seeded(SEED);
     const G = Float64Array.from({ length: size * size }, () => 2 * random() - 1);
     const A = new Float64Array(size * size);
-    for (let i = 0; i < size; i++) for (let j = 0; j < size; j++) for (let k = 0; k < size; k++) A[i * size + j]! += G[i * size + k]! * G[j * size + k]! + (i === j ? 0.1 : 0);
+    for (let i = 0; i < size; i++)
+      for (let j = 0; j < size; j++)
+        for (let k = 0; k < size; k++) A[i * size + j]! += G[i * size + k]! * G[j * size + k]! + (i === j ? 0.1 : 0);
     const omega = Float64Array.from({ length: rows * size }, () => 2 * random() - 1);
     const results = [loopKernels(size, rows), saddleKernels(size, rows)].map((kernels) => {
       const L = A.slice();
@@ -270,9 +295,12 @@ describe('kernels', () => {
       kernels.solve(L, inverse, Y, S, inverseS, f, g);
       return [...L, ...inverse, ...Y, ...S, ...b, ...inverseS, ...f, ...g];
     });
-    results[0]!.forEach((x, i) => expect(Math.abs(x - results[1]![i]!), `entry ${i}`).toBeLessThan(1e-12 * Math.max(1, Math.abs(x))));
+    results[0]!.forEach((x, i) =>
+      expect(Math.abs(x - results[1]![i]!), `entry ${i}`).toBeLessThan(1e-12 * Math.max(1, Math.abs(x))),
+    );
     const indefinite = A.slice();
     indefinite[3 * size + 3] = -1;
-    for (const kernels of [loopKernels(size, rows), saddleKernels(size, rows)]) expect(kernels.mass.factor(indefinite.slice(), new Float64Array(size), 0)).toBe(4);
+    for (const kernels of [loopKernels(size, rows), saddleKernels(size, rows)])
+      expect(kernels.mass.factor(indefinite.slice(), new Float64Array(size), 0)).toBe(4);
   });
 });

@@ -15,7 +15,14 @@ const falling = { ...caseNamed('falling-report'), duration: 2 };
 /** Largest difference of any state in the first rows. */
 function apart(a: FinishedRun, b: FinishedRun, rows: number): number {
   expect(a.rows).toBe(b.rows);
-  return Math.max(...states.map((name) => a.columns.get(name)!.subarray(0, rows).reduce((worst, x, k) => Math.max(worst, Math.abs(x - b.columns.get(name)![k]!)), 0)));
+  return Math.max(
+    ...states.map((name) =>
+      a.columns
+        .get(name)!
+        .subarray(0, rows)
+        .reduce((worst, x, k) => Math.max(worst, Math.abs(x - b.columns.get(name)![k]!)), 0),
+    ),
+  );
 }
 
 describe('a run by ida', () => {
@@ -46,11 +53,20 @@ describe('a run by ida', () => {
     expect(run.columns.get('t')!.at(-1)).toBe(run.end.time);
   });
 
-  const thrown = { version: 1, system: 'ripstik', initial: { alpha_fp: '60 deg', alpha_fp_dot: 3 }, duration: 3, events: { touchdown: 'ignore' } };
+  const thrown = {
+    version: 1,
+    system: 'ripstik',
+    initial: { alpha_fp: '60 deg', alpha_fp_dot: 3 },
+    duration: 3,
+    events: { touchdown: 'ignore' },
+  };
 
   test('a skate that comes to lie flat ends it by name, at the moment that dopri5 finds', () => {
     const expected = runOf({ ...thrown, method: { rtol: 1e-10 } }).end;
-    for (const [rtol, within] of [[1e-8, 1e-5], [1e-10, 1e-6]] as const) {
+    for (const [rtol, within] of [
+      [1e-8, 1e-5],
+      [1e-10, 1e-6],
+    ] as const) {
       const { end } = runOf({ ...thrown, method: { name: 'ida', rtol, atol: 0.01 * rtol } });
       expect(end.reason).toBe('constraint-singular');
       expect(Math.abs(end.time - expected.time)).toBeLessThan(within);
@@ -58,7 +74,12 @@ describe('a run by ida', () => {
   });
 
   test('passes near dependent constraints at a sharp tolerance, where rounding is all that Newton has left', () => {
-    const run = runOf({ ...thrown, initial: { alpha_fp: '45 deg', alpha_bp: '45 deg' }, duration: 1.6, method: { name: 'ida', rtol: 1e-10, atol: 1e-12 } });
+    const run = runOf({
+      ...thrown,
+      initial: { alpha_fp: '45 deg', alpha_bp: '45 deg' },
+      duration: 1.6,
+      method: { name: 'ida', rtol: 1e-10, atol: 1e-12 },
+    });
     expect(run.end.reason).toBe('end');
   });
 
@@ -66,7 +87,9 @@ describe('a run by ida', () => {
     const scenario = scenarioOf({ ...rolling, method: { name: 'ida' } });
     for (const extra of [{ formulation: 'blt' }, { stages: 2 }]) {
       const path = `method.${Object.keys(extra)[0]!}`;
-      expect(() => new Simulation({ ...scenario, method: { ...scenario.method, ...extra } }, systems['ripstik']!)).toThrow(expect.objectContaining({ path }));
+      expect(
+        () => new Simulation({ ...scenario, method: { ...scenario.method, ...extra } }, systems['ripstik']!),
+      ).toThrow(expect.objectContaining({ path }));
     }
   });
 });

@@ -13,15 +13,29 @@ interface Row {
 }
 
 const rowsOf = (name: string): Row[] =>
-  readFileSync(`docs/limits/${name}.csv`, 'utf8').split('\n').slice(2).filter((line) => line !== '').map((line) => {
-    const [speed, motors, limit, survived, failed] = line.split(',');
-    return { speed: Number(speed), inputs: motors!.split(' '), limit: limit ? Number(limit) : null, survived: Number(survived), failed: failed ? Number(failed) : null };
-  });
+  readFileSync(`docs/limits/${name}.csv`, 'utf8')
+    .split('\n')
+    .slice(2)
+    .filter((line) => line !== '')
+    .map((line) => {
+      const [speed, motors, limit, survived, failed] = line.split(',');
+      return {
+        speed: Number(speed),
+        inputs: motors!.split(' '),
+        limit: limit ? Number(limit) : null,
+        survived: Number(survived),
+        failed: failed ? Number(failed) : null,
+      };
+    });
 
 /** Some rows, always the same. */
 function some(rows: readonly Row[], count: number): Row[] {
   const random = seeded(11);
-  return rows.map((row) => ({ row, key: random() })).sort((a, b) => a.key - b.key).slice(0, count).map(({ row }) => row);
+  return rows
+    .map((row) => ({ row, key: random() }))
+    .sort((a, b) => a.key - b.key)
+    .slice(0, count)
+    .map(({ row }) => row);
 }
 
 describe.each([
@@ -47,7 +61,8 @@ describe.each([
 });
 
 test('a single steering motor holds the board, from little', () => {
-  const lean = (motor: string) => rowsOf('single-motor').find((r) => r.speed === 1 && r.inputs.join() === motor)!.survived;
+  const lean = (motor: string) =>
+    rowsOf('single-motor').find((r) => r.speed === 1 && r.inputs.join() === motor)!.survived;
   expect(lean('tau_fc')).toBeGreaterThan(0.5);
   expect(lean('tau_fc')).toBeLessThan(1);
   expect(lean('tau_bc')).toBeLessThan(0.1);

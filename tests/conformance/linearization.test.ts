@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { compareOrders } from '../../src/core/control/linearize.ts';
-import { lqrOf, linearizedInputs, operatingPoint } from '../../src/core/control/scenarioControl.ts';
-import { controlReport } from '../../src/core/control/report.ts';
-import { eigenvalues } from '../../src/core/control/spectrum.ts';
+import { compareOrders } from '../../src/core/control/linearization/linearize.ts';
+import { lqrOf, linearizedInputs, operatingPoint } from '../../src/core/control/design/scenarioControl.ts';
+import { controlReport } from '../../src/core/control/design/report.ts';
+import { eigenvalues } from '../../src/core/control/linearization/spectrum.ts';
 import { systems } from '../../src/core/systems/registry.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
@@ -25,23 +25,32 @@ describe.each(Object.keys(systems))('%s', (id) => {
 
   test('has a point to linearize at', () => expect(points[id]?.length).toBeGreaterThan(0));
 
-  test.each((points[id] ?? []).map((at) => [JSON.stringify(at), at] as const))('at %s both orders agree, and the report is whole', (_, at) => {
-    const scenario = scenarioAt(at);
-    const motion = operatingPoint(scenario, system);
-    const orders = compareOrders(motion, linearizedInputs(scenario, system.meta));
-    expect(orders.difference).toBeLessThan(1e-10);
-    if (motion.lambda.every((x) => Math.abs(x) < 1e-12) && motion.moving.length === 0) expect(orders.frozenDifference).toBeLessThan(1e-10);
-    const report = controlReport(scenario, system);
-    expect(report.eigenvalues).toHaveLength(orders.eliminateFirst.basis.columns);
-    expect(report.uncontrollable.length + report.reachability.dimension).toBe(report.eigenvalues.length);
-    expect(report.A.flat().every(Number.isFinite)).toBe(true);
-  });
+  test.each((points[id] ?? []).map((at) => [JSON.stringify(at), at] as const))(
+    'at %s both orders agree, and the report is whole',
+    (_, at) => {
+      const scenario = scenarioAt(at);
+      const motion = operatingPoint(scenario, system);
+      const orders = compareOrders(motion, linearizedInputs(scenario, system.meta));
+      expect(orders.difference).toBeLessThan(1e-10);
+      if (motion.lambda.every((x) => Math.abs(x) < 1e-12) && motion.moving.length === 0)
+        expect(orders.frozenDifference).toBeLessThan(1e-10);
+      const report = controlReport(scenario, system);
+      expect(report.eigenvalues).toHaveLength(orders.eliminateFirst.basis.columns);
+      expect(report.uncontrollable.length + report.reachability.dimension).toBe(report.eigenvalues.length);
+      expect(report.A.flat().every(Number.isFinite)).toBe(true);
+    },
+  );
 });
 
 test('a system of first order has its coordinates as states', () => {
-  const report = controlReport(scenarioOf({ version: 1, system: 'stiff-decay', at: { y: 0 } }), systems['stiff-decay']!);
+  const report = controlReport(
+    scenarioOf({ version: 1, system: 'stiff-decay', at: { y: 0 } }),
+    systems['stiff-decay']!,
+  );
   expect(report).toMatchObject({ states: ['y'], inputs: [], A: [[-15]], eigenvalues: [[-15, 0]] });
-  expect(() => controlReport(scenarioOf({ version: 1, system: 'stiff-decay' }), systems['stiff-decay']!)).toThrow(/y by -15 per second/);
+  expect(() => controlReport(scenarioOf({ version: 1, system: 'stiff-decay' }), systems['stiff-decay']!)).toThrow(
+    /y by -15 per second/,
+  );
 });
 
 test('the cart with its pendulum: the matrix by hand, and balanced from pi/2 - 0.1', () => {

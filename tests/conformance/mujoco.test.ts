@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { ConstrainedSystem } from '../../src/core/dynamics/constrainedSystem.ts';
+import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
 import { systems } from '../../src/core/systems/registry.ts';
-import { MujocoBoard } from '../bench/mujoco.ts';
+import { MujocoBoard } from '../../tools/bench/mujoco.ts';
 import { scenarioOf, seeded } from '../helpers.ts';
 
 const system = systems['ripstik']!;

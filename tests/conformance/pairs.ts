@@ -1,4 +1,4 @@
-import { formulations } from '../../src/core/dynamics/formulations/formulations.ts';
+import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import { methods, type MethodId, type MethodInfo } from '../../src/core/integrators/methods.ts';
 import type { MethodOptions } from '../../src/core/scenario/types.ts';
 

@@ -7,7 +7,13 @@ function ridden(phase: string, { sign = 1, amplitude = 20, bias = 0 } = {}) {
     tau_fp: `${sign} * (${bias} deg + ${amplitude} deg * sin(2*pi*1.5*t))`,
     tau_bp: `${sign} * (${bias} deg + ${amplitude} deg * sin(2*pi*1.5*t + ${phase}))`,
   };
-  const run = runOf({ version: 1, system: 'ripstik', initial: { X_dot: 0.5 }, control: { type: 'track', reference, kp: 60, kd: 3 }, duration: 10 });
+  const run = runOf({
+    version: 1,
+    system: 'ripstik',
+    initial: { X_dot: 0.5 },
+    control: { type: 'track', reference, kp: 60, kd: 3 },
+    duration: 10,
+  });
   const last = (name: string) => run.columns.get(name)!.at(-1)!;
   expect(run.end.reason).toBe('end');
   return { run, last, speed: Math.hypot(last('X_dot'), last('Y_dot')) };
@@ -18,8 +24,15 @@ describe.each(['0', 'pi/2', 'pi'])('ridden with a phase of %s between back and f
     const one = ridden(phase);
     expect(one.speed).toBeGreaterThan(1);
     const other = ridden(phase, { sign: -1 });
-    for (const [name, sign] of [['X', 1], ['Y', -1], ['theta', -1], ['theta_fc', -1]] as const) {
-      one.run.columns.get(name)!.forEach((value, k) => expect(Math.abs(value - sign * other.run.columns.get(name)![k]!)).toBeLessThan(1e-6));
+    for (const [name, sign] of [
+      ['X', 1],
+      ['Y', -1],
+      ['theta', -1],
+      ['theta_fc', -1],
+    ] as const) {
+      one.run.columns
+        .get(name)!
+        .forEach((value, k) => expect(Math.abs(value - sign * other.run.columns.get(name)![k]!)).toBeLessThan(1e-6));
     }
   });
 });

@@ -1,11 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { Matrix } from 'ml-matrix';
 import { describe, expect, test } from 'vitest';
-import { closedLoopMatrix, gainOnUnreachable, type LqrDesign } from '../../src/core/control/lqr.ts';
-import { lqrOf } from '../../src/core/control/scenarioControl.ts';
-import type { Complex } from '../../src/core/control/spectrum.ts';
+import { closedLoopMatrix, gainOnUnreachable, type LqrDesign } from '../../src/core/control/design/lqr.ts';
+import { lqrOf } from '../../src/core/control/design/scenarioControl.ts';
+import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
 import { systems } from '../../src/core/systems/registry.ts';
-import { relativeDifference, spectralDistance, spectrumOf } from '../unit/control/helpers.ts';
+import { relativeDifference, spectralDistance, spectrumOf } from '../core/control/helpers.ts';
 import { runOf, scenarioOf, type FinishedRun } from '../helpers.ts';
 
 interface StoredDesign {
@@ -31,53 +31,61 @@ const board = (control: Record<string, unknown>, extra: Record<string, unknown> 
 });
 const nonZero = (values: readonly Complex[]) => values.filter(([re, im]) => Math.hypot(re, im) > 1e-3);
 
-describe.each(stored.map((d) => [d.scenario.control.Q ? 'Q on roll and steer' : 'Q = identity', d] as const))('%s at 1 m/s', (_, reference) => {
-  const design = designOf(reference.scenario);
+describe.each(stored.map((d) => [d.scenario.control.Q ? 'Q on roll and steer' : 'Q = identity', d] as const))(
+  '%s at 1 m/s',
+  (_, reference) => {
+    const design = designOf(reference.scenario);
 
-  test('dimensions and open-loop eigenvalues', () => {
-    expect(design.split.reachable.columns).toBe(reference.reachableDimension);
-    expect(design.placed).toHaveLength(reference.controlledDimension);
-    expect(design.openLoop).toHaveLength(14);
-    expect(design.openLoop.filter(([re, im]) => re === 0 && im === 0)).toHaveLength(6);
-    expect(spectralDistance(nonZero(reference.eigenvalues), nonZero(design.openLoop))).toBeLessThan(1e-10);
-  });
+    test('dimensions and open-loop eigenvalues', () => {
+      expect(design.split.reachable.columns).toBe(reference.reachableDimension);
+      expect(design.placed).toHaveLength(reference.controlledDimension);
+      expect(design.openLoop).toHaveLength(14);
+      expect(design.openLoop.filter(([re, im]) => re === 0 && im === 0)).toHaveLength(6);
+      expect(spectralDistance(nonZero(reference.eigenvalues), nonZero(design.openLoop))).toBeLessThan(1e-10);
+    });
 
-  test('gain, on the reachable subspace and everywhere', () => {
-    const known = new Matrix(reference.K);
-    const toReachable = design.linearization.basis.mmul(design.split.reachable);
-    expect(relativeDifference(design.gain.mmul(toReachable), known.mmul(toReachable))).toBeLessThan(1e-10);
-    expect(relativeDifference(design.gain, known)).toBeLessThan(1e-10);
-    expect(gainOnUnreachable(design)).toBeLessThan(1e-13);
-  });
+    test('gain, on the reachable subspace and everywhere', () => {
+      const known = new Matrix(reference.K);
+      const toReachable = design.linearization.basis.mmul(design.split.reachable);
+      expect(relativeDifference(design.gain.mmul(toReachable), known.mmul(toReachable))).toBeLessThan(1e-10);
+      expect(relativeDifference(design.gain, known)).toBeLessThan(1e-10);
+      expect(gainOnUnreachable(design)).toBeLessThan(1e-13);
+    });
 
-  test('closed-loop eigenvalues, those of A - B K too, and the Riccati residual', () => {
-    expect(spectralDistance(reference.closedLoopEigenvalues, design.placed)).toBeLessThan(1e-9);
-    expect(spectralDistance(nonZero(design.closedLoop), spectrumOf(closedLoopMatrix(design)))).toBeLessThan(1e-7);
-    expect(design.riccati.residual).toBeLessThan(1e-12);
-  });
+    test('closed-loop eigenvalues, those of A - B K too, and the Riccati residual', () => {
+      expect(spectralDistance(reference.closedLoopEigenvalues, design.placed)).toBeLessThan(1e-9);
+      expect(spectralDistance(nonZero(design.closedLoop), spectrumOf(closedLoopMatrix(design)))).toBeLessThan(1e-7);
+      expect(design.riccati.residual).toBeLessThan(1e-12);
+    });
 
-  test('the run from 10 degrees of lean, row by row', () => {
-    const run = runOf({ ...reference.run.scenario, method: { rtol: 1e-11, atol: 1e-12 } });
-    expect(run.end.reason).toBe('end');
-    for (const [r, row] of reference.run.rows.entries()) {
-      row.forEach((value, c) => {
-        const name = reference.run.columns[c]!;
-        expect(Math.abs(run.columns.get(name)![r]! - value), `${name} in row ${r}`).toBeLessThan(1e-5);
-      });
-    }
-  });
-});
+    test('the run from 10 degrees of lean, row by row', () => {
+      const run = runOf({ ...reference.run.scenario, method: { rtol: 1e-11, atol: 1e-12 } });
+      expect(run.end.reason).toBe('end');
+      for (const [r, row] of reference.run.rows.entries()) {
+        row.forEach((value, c) => {
+          const name = reference.run.columns[c]!;
+          expect(Math.abs(run.columns.get(name)![r]! - value), `${name} in row ${r}`).toBeLessThan(1e-5);
+        });
+      }
+    });
+  },
+);
 
 test('Q on roll and steer: heading and Y are left alone, named', () => {
   const { unseen, unreachable } = designOf(stored[1]!.scenario);
-  expect(unseen.map((m) => m.eigenvalue)).toEqual([[0, 0], [0, 0]]);
+  expect(unseen.map((m) => m.eigenvalue)).toEqual([
+    [0, 0],
+    [0, 0],
+  ]);
   expect(new Set(unseen.flatMap((m) => m.moves))).toEqual(new Set(['Y', 'theta', 'Y_dot']));
   expect(unreachable.map((m) => m.moves[0]).sort()).toEqual(['X', 'X_dot', 'alpha', 'alpha_dot']);
 });
 
 describe('weights that see little', () => {
   test('a weight on X alone, which no input reaches: unstable modes are mirrored, the rest stays', () => {
-    const { placed, unseen, openLoop } = designOf(board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 }, Q: { X: 1 } }));
+    const { placed, unseen, openLoop } = designOf(
+      board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 }, Q: { X: 1 } }),
+    );
     const mirrored = nonZero(openLoop).map(([re, im]): Complex => [-Math.abs(re), im]);
     expect(placed).toHaveLength(8);
     expect(spectralDistance(placed, mirrored)).toBeLessThan(1e-9);
@@ -89,7 +97,12 @@ describe('weights that see little', () => {
     expect(design.placed).toHaveLength(4);
     expect(design.unseen.map((m) => m.eigenvalue[0])).toEqual([0, 0, 0, 0]);
     expect(design.unseen.map((m) => m.moves[0])).toEqual(['theta_fc', 'theta_bc', 'theta_bc', 'theta_fc']);
-    expect(spectralDistance(design.unseen.map((m) => m.eigenvalue), spectrumOf(closedLoopMatrix(design)))).toBeLessThan(1e-9);
+    expect(
+      spectralDistance(
+        design.unseen.map((m) => m.eigenvalue),
+        spectrumOf(closedLoopMatrix(design)),
+      ),
+    ).toBeLessThan(1e-9);
   });
 
   test('an input that does nothing under the constraints reaches nothing', () => {
@@ -135,17 +148,29 @@ describe('recovery by steering alone', () => {
 
   test('open-loop inputs add to what the controller asks, also on its own inputs', () => {
     const inputs = { tau_fp: '0.15*exp(-10*(t-2)^2)', tau_fc: '0.02*sin(t)' };
-    const scenario = board({ inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } }, { initial: { X_dot: 1 }, inputs, duration: 6 });
+    const scenario = board(
+      { inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } },
+      { initial: { X_dot: 1 }, inputs, duration: 6 },
+    );
     const run = runOf(scenario);
     expect(run.end.reason).toBe('end');
     expect(Math.max(...run.columns.get('tau_fp')!)).toBeCloseTo(0.15, 6);
     expect(upright(run)).toBeLessThan(0.05);
-    const { gain, linearization: { motion: { q, v }, states, inputs: names } } = designOf(scenario);
+    const {
+      gain,
+      linearization: {
+        motion: { q, v },
+        states,
+        inputs: names,
+      },
+    } = designOf(scenario);
     const k = names.indexOf('tau_fc');
     for (const r of [0, 150, 400]) {
       const t = run.columns.get('t')![r]!;
       let u = 0.02 * Math.sin(t);
-      states.forEach((name, i) => (u -= gain.get(k, i) * (run.columns.get(name)![r]! - (i < 10 ? q[i]! + v[i]! * t : v[i - 10]!))));
+      states.forEach(
+        (name, i) => (u -= gain.get(k, i) * (run.columns.get(name)![r]! - (i < 10 ? q[i]! + v[i]! * t : v[i - 10]!))),
+      );
       expect(run.columns.get('tau_fc')![r]!).toBeCloseTo(u, 10);
     }
   });
@@ -172,16 +197,32 @@ describe('recovery by steering alone', () => {
 });
 
 test('balanced by the feet at rest', () => {
-  const run = runOf(board({ inputs: ['tau_fp', 'tau_bp'] }, { initial: { alpha_fp: '2 deg', alpha_bp: '1 deg' }, duration: 5 }));
+  const run = runOf(
+    board({ inputs: ['tau_fp', 'tau_bp'] }, { initial: { alpha_fp: '2 deg', alpha_bp: '1 deg' }, duration: 5 }),
+  );
   expect(run.end.reason).toBe('end');
-  expect(Math.abs(run.columns.get('alpha_fp')![run.rows - 1]! + run.columns.get('alpha')![run.rows - 1]!)).toBeLessThan(1e-2);
+  expect(Math.abs(run.columns.get('alpha_fp')![run.rows - 1]! + run.columns.get('alpha')![run.rows - 1]!)).toBeLessThan(
+    1e-2,
+  );
 });
 
 describe('refusals name what is wrong', () => {
   test.each([
-    ['no input reaches an unstable mode', { inputs: ['f_X'], at: { X_dot: 1 } }, /^control: f_X can't stabilize.*9\.37/],
-    ['the point accelerates', { inputs: ['tau_fc'], at: { X_dot: 1, alpha_fp: '5 deg' } }, /^control\.at: this is no steady motion.*theta_fc_dot/],
-    ['the point can not be on the ground', { inputs: ['tau_fc'], at: { alpha: '90 deg', alpha_fp: '3 deg' } }, /^control\.at: /],
+    [
+      'no input reaches an unstable mode',
+      { inputs: ['f_X'], at: { X_dot: 1 } },
+      /^control: f_X can't stabilize.*9\.37/,
+    ],
+    [
+      'the point accelerates',
+      { inputs: ['tau_fc'], at: { X_dot: 1, alpha_fp: '5 deg' } },
+      /^control\.at: this is no steady motion.*theta_fc_dot/,
+    ],
+    [
+      'the point can not be on the ground',
+      { inputs: ['tau_fc'], at: { alpha: '90 deg', alpha_fp: '3 deg' } },
+      /^control\.at: /,
+    ],
   ])('%s', (_, control, message) => {
     expect(() => designOf(board(control))).toThrow(message);
     expect(() => runOf(board(control))).toThrow(message);

@@ -4,7 +4,8 @@ import { point, type PointReport } from '../../src/cli/point.ts';
 import { systems } from '../../src/core/systems/registry.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
-const read = <T>(name: string): T[] => JSON.parse(readFileSync(new URL(`../reference/${name}`, import.meta.url), 'utf8')) as T[];
+const read = <T>(name: string): T[] =>
+  JSON.parse(readFileSync(new URL(`../reference/${name}`, import.meta.url), 'utf8')) as T[];
 
 type PointReference = PointReport & { scenario: { constraints: string } };
 interface RunReference {
@@ -35,12 +36,15 @@ test.each(read<PointReference>('ripstik-points.json').map((p, i) => [i, p.scenar
   },
 );
 
-test.each(read<RunReference>('ripstik-runs.json').map((r, i) => [i, r] as const))('run %i within 1e-6 at every sample at rtol 1e-10', (_i, expected) => {
-  const run = runOf({ ...expected.scenario, method: { rtol: 1e-10 } });
-  expect(run.rows).toBe(expected.rows.length);
-  let worst = 0;
-  expected.columns.forEach((name, c) =>
-    expected.rows.forEach((row, k) => (worst = Math.max(worst, Math.abs(row[c]! - run.columns.get(name)![k]!)))),
-  );
-  expect(worst).toBeLessThan(1e-6);
-});
+test.each(read<RunReference>('ripstik-runs.json').map((r, i) => [i, r] as const))(
+  'run %i within 1e-6 at every sample at rtol 1e-10',
+  (_i, expected) => {
+    const run = runOf({ ...expected.scenario, method: { rtol: 1e-10 } });
+    expect(run.rows).toBe(expected.rows.length);
+    let worst = 0;
+    expected.columns.forEach((name, c) =>
+      expected.rows.forEach((row, k) => (worst = Math.max(worst, Math.abs(row[c]! - run.columns.get(name)![k]!)))),
+    );
+    expect(worst).toBeLessThan(1e-6);
+  },
+);

@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { cases } from '../../src/core/cases/cases.ts';
-import type { Forcing } from '../../src/core/dynamics/constrainedSystem.ts';
-import type { StateMap } from '../../src/core/dynamics/formulations/contract.ts';
-import { formulations } from '../../src/core/dynamics/formulations/formulations.ts';
+import type { Forcing } from '../../src/core/mechanics/constrainedSystem.ts';
+import type { StateMap } from '../../src/core/mechanics/formulations/contract.ts';
+import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import type { Stepper } from '../../src/core/integrators/contract.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { motionOf } from '../../src/core/simulation/motion.ts';
 import { systems } from '../../src/core/systems/registry.ts';
-import { distance, run } from '../convergence/problems.ts';
+import { distance, run } from '../core/integrators/problems.ts';
 import { runOf, type FinishedRun } from '../helpers.ts';
 import { mechanicsOf } from '../mechanics.ts';
 import { pairs, settings, type Pair } from './pairs.ts';
@@ -28,7 +28,10 @@ interface Bench {
 
 /** A pair on the rolling board, at its start. */
 function benchOf({ method, sharp }: Pair, forcing?: Forcing): Bench {
-  const { dynamics, q, v, scenario } = mechanicsOf({ ...rolling, method: { ...method, ...sharp(method.stages), ...(method.stages === 1 ? { rtol: 1e-6 } : {}) } }, forcing);
+  const { dynamics, q, v, scenario } = mechanicsOf(
+    { ...rolling, method: { ...method, ...sharp(method.stages), ...(method.stages === 1 ? { rtol: 1e-6 } : {}) } },
+    forcing,
+  );
   const { map, stepper } = motionOf(scenario.method, dynamics);
   const y = new Float64Array(stepper.y.length);
   map.rebase(q, v);
@@ -40,7 +43,10 @@ function benchOf({ method, sharp }: Pair, forcing?: Forcing): Bench {
 /** Times that no stepper has a reason to step to, and the state there by an independent sharp run. */
 const looks = Array.from({ length: 8 }, (_, k) => 0.0061 * Math.sqrt(k + 0.5));
 const truths = (() => {
-  const { stepper, map, q, v } = benchOf({ ...pairs.find((p) => p.id === 'dop853')!, sharp: () => ({ rtol: 1e-13, atol: 1e-14 }) });
+  const { stepper, map, q, v } = benchOf({
+    ...pairs.find((p) => p.id === 'dop853')!,
+    sharp: () => ({ rtol: 1e-13, atol: 1e-14 }),
+  });
   return looks.map((t) => {
     expect(run(stepper, t)).toBeNull();
     map.toState(stepper.y, q, v);
@@ -50,7 +56,9 @@ const truths = (() => {
 
 test('every method and every formulation is in the suite', () => {
   expect(Object.keys(settings).sort()).toEqual(methods.map((m) => m.id).sort());
-  for (const { id } of methods) for (const f of formulations) expect(pairs.some((p) => p.id === id && (p.formulation === f.id || id === 'ida'))).toBe(true);
+  for (const { id } of methods)
+    for (const f of formulations)
+      expect(pairs.some((p) => p.id === id && (p.formulation === f.id || id === 'ida'))).toBe(true);
 });
 
 describe.each(pairs)('contract: $name', (pair) => {
@@ -89,17 +97,19 @@ describe.each(pairs)('contract: $name', (pair) => {
     const between = new Float64Array(y.length);
     const within = pair.order ? 0.05 ** pair.order : 1e-6;
     let next = 0;
-    expect(run(stepper, 0.02, () => {
-      const kept = stepper.y.slice();
-      stepper.y.fill(7);
-      for (; next < looks.length && looks[next]! <= stepper.t; next++) {
-        stepper.interpolate(looks[next]!, between);
-        map.toState(between, q, v);
-        expect(distance([...q, ...v], truths[next]!), `t = ${looks[next]!}`).toBeLessThan(within);
-      }
-      stepper.y.set(kept);
-      stepper.stateChanged();
-    })).toBeNull();
+    expect(
+      run(stepper, 0.02, () => {
+        const kept = stepper.y.slice();
+        stepper.y.fill(7);
+        for (; next < looks.length && looks[next]! <= stepper.t; next++) {
+          stepper.interpolate(looks[next]!, between);
+          map.toState(between, q, v);
+          expect(distance([...q, ...v], truths[next]!), `t = ${looks[next]!}`).toBeLessThan(within);
+        }
+        stepper.y.set(kept);
+        stepper.stateChanged();
+      }),
+    ).toBeNull();
     expect(next).toBe(looks.length);
   });
 
@@ -107,7 +117,9 @@ describe.each(pairs)('contract: $name', (pair) => {
     const wall = 0.013;
     const { stepper } = benchOf(pair, (t, _q, _v, force) => void (t > wall && force.fill(NaN)));
     let last = { t: 0, previousT: 0, y: [...stepper.y] };
-    expect(run(stepper, 0.05, () => (last = { t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }))).toBe('non-finite');
+    expect(run(stepper, 0.05, () => (last = { t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }))).toBe(
+      'non-finite',
+    );
     expect({ t: stepper.t, previousT: stepper.previousT, y: [...stepper.y] }).toEqual(last);
     expect(last.y.every(Number.isFinite)).toBe(true);
     expect(Math.abs(stepper.t - wall)).toBeLessThan(0.005);
@@ -141,7 +153,14 @@ describe.each([
   }
 
   test('the truth is the same by another method on another formulation', () => {
-    expect(errorOf(runOf({ ...scenario, method: { name: 'radau', stages: 3, formulation: 'nullspace-qr', rtol: 1e-11, atol: 1e-12 } }))).toBeLessThan(1e-8);
+    expect(
+      errorOf(
+        runOf({
+          ...scenario,
+          method: { name: 'radau', stages: 3, formulation: 'nullspace-qr', rtol: 1e-11, atol: 1e-12 },
+        }),
+      ),
+    ).toBeLessThan(1e-8);
   });
 
   test.each(pairs.filter((p) => !p.order))('$name is within 1e-6 of it', ({ method, sharp }) => {

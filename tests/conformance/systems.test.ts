@@ -1,7 +1,7 @@
 // What holds of every system in the registry, at states and parameters drawn from seeds that a failure prints.
 import { describe, expect, test } from 'vitest';
-import { ConstrainedSystem } from '../../src/core/dynamics/constrainedSystem.ts';
-import { Projection } from '../../src/core/dynamics/projection.ts';
+import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
+import { Projection } from '../../src/core/mechanics/projection.ts';
 import { cholesky } from '../../src/core/linalg/dense.ts';
 import { systems } from '../../src/core/systems/registry.ts';
 import { systemViews } from '../../src/core/systems/views.ts';
@@ -32,8 +32,17 @@ const symmetries: Readonly<Record<string, Symmetry>> = {
   'rolling-wheel': { shift: { X: 1, Y: -2, phi: 5 }, turn: ['X', 'Y', 'theta'], mirror: ['Y', 'theta'] },
   'stiff-decay': { shift: {}, mirror: ['y'] },
   'wheel-pendulum': { shift: { X: 3, phi: 5 } },
-  'casterboard-robot': { shift: { x: 1, y: -2 }, turn: ['x', 'y', 'theta'], mirror: ['y', 'theta', 'phi_f', 'phi_r'], losses: ['c'] },
-  bicycle: { shift: { x: 1, y: -2, rear_spin: 5, front_spin: 3 }, turn: ['x', 'y', 'yaw'], mirror: ['y', 'yaw', 'roll', 'steer'] },
+  'casterboard-robot': {
+    shift: { x: 1, y: -2 },
+    turn: ['x', 'y', 'theta'],
+    mirror: ['y', 'theta', 'phi_f', 'phi_r'],
+    losses: ['c'],
+  },
+  bicycle: {
+    shift: { x: 1, y: -2, rear_spin: 5, front_spin: 3 },
+    turn: ['x', 'y', 'yaw'],
+    mirror: ['y', 'yaw', 'roll', 'steer'],
+  },
   'chaplygin-sleigh': { shift: { x: 1, y: -2 }, turn: ['x', 'y', 'theta'], mirror: ['y', 'theta'] },
 };
 
@@ -48,9 +57,13 @@ function draw(system: System, seed: number) {
   const between = (a: number, b: number) => a + (b - a) * random();
   const { coordinates, parameters } = system.meta;
   const n = coordinates.length;
-  const q = Float64Array.from(coordinates, ({ kind, name }) => (kind === 'length' ? between(-0.5, 0.5) : ['psi', 'pitch'].includes(name) ? between(-0.4, 0.4) : between(-0.9, 0.9)));
+  const q = Float64Array.from(coordinates, ({ kind, name }) =>
+    kind === 'length' ? between(-0.5, 0.5) : ['psi', 'pitch'].includes(name) ? between(-0.4, 0.4) : between(-0.9, 0.9),
+  );
   const v = Float64Array.from({ length: n }, () => between(-2, 2));
-  const p = Float64Array.from(parameters, (m) => Math.min(m.max ?? Infinity, m.default === 0 ? between(0.1, 2) : m.default * between(0.7, 1.3)));
+  const p = Float64Array.from(parameters, (m) =>
+    Math.min(m.max ?? Infinity, m.default === 0 ? between(0.1, 2) : m.default * between(0.7, 1.3)),
+  );
   return { n, q, v, p, a: Float64Array.from({ length: n }, () => between(-5, 5)), between };
 }
 
@@ -68,7 +81,9 @@ function difference(f: (x: Float64Array) => Float64Array, x: Float64Array, k: nu
 function expectDerivative(jacobian: Float64Array, f: (x: Float64Array) => Float64Array, x: Float64Array, what: string) {
   for (let k = 0; k < x.length; k++) {
     difference(f, x, k).forEach((d, i) => {
-      expect(Math.abs(jacobian[i * x.length + k]! - d) / Math.max(10, Math.abs(d)), `${what}[${i}][${k}]`).toBeLessThan(2e-7);
+      expect(Math.abs(jacobian[i * x.length + k]! - d) / Math.max(10, Math.abs(d)), `${what}[${i}][${k}]`).toBeLessThan(
+        2e-7,
+      );
     });
   }
 }
@@ -85,7 +100,9 @@ test('every system is known to the views by the same id and names its symmetries
   expect(Object.keys(systems).filter((id) => !symmetries[id])).toEqual([]);
   for (const [id, system] of Object.entries(systems)) {
     expect(system.meta.id).toBe(id);
-    expect(system.meta.constraintSets.map((s) => s.id).filter((s) => s !== 'none')).toEqual(Object.keys(system.constraintSets));
+    expect(system.meta.constraintSets.map((s) => s.id).filter((s) => s !== 'none')).toEqual(
+      Object.keys(system.constraintSets),
+    );
     if (system.meta.order !== 1) expect(system.meta.parameters.map((p) => p.name)).toContain('gravity');
   }
 });
@@ -118,30 +135,36 @@ describe.each(cases)('$id, seed $seed', ({ id, system, seed }) => {
     expectDerivative(dv, (x) => residual(q, x), v, 'dv');
   });
 
-  test.each(Object.keys(system.constraintSets))('%s: Jacobians of force, rate and velocity are their finite differences', (name) => {
-    const { n, q, v, p, a, between } = draw(system, seed);
-    const set = system.constraintSets[name]!;
-    const m = set.rows;
-    const lambda = Float64Array.from({ length: m }, () => between(-20, 20));
-    const [forceQ, rateQ, rateV, velocityQ] = [vector(n * n), vector(m * n), vector(m * n), vector(m * n)];
-    set.jacobians(q, v, a, lambda, p, forceQ, rateQ, rateV, velocityQ);
-    const at = (q: Float64Array, v: Float64Array) => {
-      const [omega, gamma] = [vector(m * n), vector(m)];
-      set.evaluate(q, v, p, omega, gamma);
-      const times = (x: Float64Array) => Float64Array.from({ length: m }, (_, r) => x.reduce((sum, xi, i) => sum + omega[r * n + i]! * xi, 0));
-      const force = Float64Array.from({ length: n }, (_, i) => lambda.reduce((sum, l, r) => sum + omega[r * n + i]! * l, 0));
-      return { force, velocity: times(v), rate: times(a).map((x, r) => x + gamma[r]!), gamma };
-    };
-    expectDerivative(forceQ, (x) => at(x, v).force, q, 'forceQ');
-    expectDerivative(rateQ, (x) => at(x, v).rate, q, 'rateQ');
-    expectDerivative(rateV, (x) => at(q, x).rate, v, 'rateV');
-    expectDerivative(velocityQ, (x) => at(x, v).velocity, q, 'velocityQ');
-    // gamma is the rate of Omega v while q moves with v.
-    at(q, v).gamma.forEach((g, r) => {
-      const along = v.reduce((sum, vk, k) => sum + velocityQ[r * n + k]! * vk, 0);
-      expect(Math.abs(g - along), `gamma[${r}]`).toBeLessThan(1e-11 * Math.max(1, Math.abs(g)));
-    });
-  });
+  test.each(Object.keys(system.constraintSets))(
+    '%s: Jacobians of force, rate and velocity are their finite differences',
+    (name) => {
+      const { n, q, v, p, a, between } = draw(system, seed);
+      const set = system.constraintSets[name]!;
+      const m = set.rows;
+      const lambda = Float64Array.from({ length: m }, () => between(-20, 20));
+      const [forceQ, rateQ, rateV, velocityQ] = [vector(n * n), vector(m * n), vector(m * n), vector(m * n)];
+      set.jacobians(q, v, a, lambda, p, forceQ, rateQ, rateV, velocityQ);
+      const at = (q: Float64Array, v: Float64Array) => {
+        const [omega, gamma] = [vector(m * n), vector(m)];
+        set.evaluate(q, v, p, omega, gamma);
+        const times = (x: Float64Array) =>
+          Float64Array.from({ length: m }, (_, r) => x.reduce((sum, xi, i) => sum + omega[r * n + i]! * xi, 0));
+        const force = Float64Array.from({ length: n }, (_, i) =>
+          lambda.reduce((sum, l, r) => sum + omega[r * n + i]! * l, 0),
+        );
+        return { force, velocity: times(v), rate: times(a).map((x, r) => x + gamma[r]!), gamma };
+      };
+      expectDerivative(forceQ, (x) => at(x, v).force, q, 'forceQ');
+      expectDerivative(rateQ, (x) => at(x, v).rate, q, 'rateQ');
+      expectDerivative(rateV, (x) => at(q, x).rate, v, 'rateV');
+      expectDerivative(velocityQ, (x) => at(x, v).velocity, q, 'velocityQ');
+      // gamma is the rate of Omega v while q moves with v.
+      at(q, v).gamma.forEach((g, r) => {
+        const along = v.reduce((sum, vk, k) => sum + velocityQ[r * n + k]! * vk, 0);
+        expect(Math.abs(g - along), `gamma[${r}]`).toBeLessThan(1e-11 * Math.max(1, Math.abs(g)));
+      });
+    },
+  );
 
   test.each(Object.keys(system.constraintSets))('%s: both at once are the two of them', (name) => {
     const { n, q, v, p } = draw(system, seed);
@@ -151,35 +174,51 @@ describe.each(cases)('$id, seed $seed', ({ id, system, seed }) => {
     system.mechanics(q, v, p, parts[0], parts[1]);
     set.evaluate(q, v, p, parts[2], parts[3]);
     set.dynamics?.(q, v, p, ...whole);
-    if (set.dynamics) parts.forEach((part, k) => part.forEach((x, i) => expect(Math.abs(x - whole[k]![i]!)).toBeLessThan(1e-12 * Math.max(1, Math.abs(x)))));
+    if (set.dynamics)
+      parts.forEach((part, k) =>
+        part.forEach((x, i) => expect(Math.abs(x - whole[k]![i]!)).toBeLessThan(1e-12 * Math.max(1, Math.abs(x)))),
+      );
   });
 
-  test.skipIf(system.firstOrder).each(sets)('%s: energy changes at the power of inputs less losses; multipliers do no work', (name) => {
-    const { n, q, v, p, between } = draw(system, seed);
-    const push = Float64Array.from({ length: n }, () => between(-0.5, 0.5));
-    const d = new ConstrainedSystem(system, p, name, [], (_t, _q, _v, force) => push.forEach((f, i) => (force[i]! += f)));
-    // A random state is far from the ground: the projection is local, so it is repeated until it has arrived.
-    const projection = new Projection(d);
-    for (let i = 0; i < 30; i++) expect(projection.project(0, q, v)).toBe(true);
-    expect(projection.residual(q, v)).toBeLessThan(1e-12);
-    const [a, lambda] = [vector(n), vector(d.m)];
-    expect(d.acceleration(0, q, v, a, lambda)).toBe(true);
-    const work = lambda.reduce((sum, l, r) => sum + l * v.reduce((part, vi, i) => part + d.omega[r * n + i]! * vi, 0), 0);
-    expect(Math.abs(work)).toBeLessThan(1e-11 * Math.max(1, ...lambda.map(Math.abs)));
-    const energies = vector(2);
-    const along = (h: number) => {
-      system.energy(q.map((qi, i) => qi + h * v[i]! + (h * h * a[i]!) / 2), v.map((vi, i) => vi + h * a[i]!), p, energies);
-      return energies[0]! + energies[1]!;
-    };
-    const rate = (along(1e-6) - along(-1e-6)) / 2e-6;
-    const losses = symmetries[id]!.losses ?? [];
-    const lossless = p.map((x, i) => (losses.includes(system.meta.parameters[i]!.name) ? 0 : x));
-    const { h } = mechanicsOf(system, q, v, p);
-    const free = mechanicsOf(system, q, v, lossless).h;
-    const power = v.reduce((sum, vi, i) => sum + vi * (push[i]! + h[i]! - free[i]!), 0);
-    expect(Math.abs(rate - power) / Math.max(1, Math.abs(power), ...lambda.map(Math.abs))).toBeLessThan(1e-5);
-    if (losses.length > 0) expect(v.reduce((sum, vi, i) => sum + vi * (h[i]! - free[i]!), 0)).toBeLessThan(0);
-  });
+  test.skipIf(system.firstOrder).each(sets)(
+    '%s: energy changes at the power of inputs less losses; multipliers do no work',
+    (name) => {
+      const { n, q, v, p, between } = draw(system, seed);
+      const push = Float64Array.from({ length: n }, () => between(-0.5, 0.5));
+      const d = new ConstrainedSystem(system, p, name, [], (_t, _q, _v, force) =>
+        push.forEach((f, i) => (force[i]! += f)),
+      );
+      // A random state is far from the ground: the projection is local, so it is repeated until it has arrived.
+      const projection = new Projection(d);
+      for (let i = 0; i < 30; i++) expect(projection.project(0, q, v)).toBe(true);
+      expect(projection.residual(q, v)).toBeLessThan(1e-12);
+      const [a, lambda] = [vector(n), vector(d.m)];
+      expect(d.acceleration(0, q, v, a, lambda)).toBe(true);
+      const work = lambda.reduce(
+        (sum, l, r) => sum + l * v.reduce((part, vi, i) => part + d.omega[r * n + i]! * vi, 0),
+        0,
+      );
+      expect(Math.abs(work)).toBeLessThan(1e-11 * Math.max(1, ...lambda.map(Math.abs)));
+      const energies = vector(2);
+      const along = (h: number) => {
+        system.energy(
+          q.map((qi, i) => qi + h * v[i]! + (h * h * a[i]!) / 2),
+          v.map((vi, i) => vi + h * a[i]!),
+          p,
+          energies,
+        );
+        return energies[0]! + energies[1]!;
+      };
+      const rate = (along(1e-6) - along(-1e-6)) / 2e-6;
+      const losses = symmetries[id]!.losses ?? [];
+      const lossless = p.map((x, i) => (losses.includes(system.meta.parameters[i]!.name) ? 0 : x));
+      const { h } = mechanicsOf(system, q, v, p);
+      const free = mechanicsOf(system, q, v, lossless).h;
+      const power = v.reduce((sum, vi, i) => sum + vi * (push[i]! + h[i]! - free[i]!), 0);
+      expect(Math.abs(rate - power) / Math.max(1, Math.abs(power), ...lambda.map(Math.abs))).toBeLessThan(1e-5);
+      if (losses.length > 0) expect(v.reduce((sum, vi, i) => sum + vi * (h[i]! - free[i]!), 0)).toBeLessThan(0);
+    },
+  );
 
   test.skipIf(!system.firstOrder)('the rate has its derivative, and is what the mechanics differentiate', () => {
     const { n, q, p } = draw(system, seed);
@@ -189,42 +228,52 @@ describe.each(cases)('$id, seed $seed', ({ id, system, seed }) => {
     jacobian(q, p, slope);
     expectDerivative(slope, rateAt, q, 'rate');
     const v = rateAt(q);
-    mechanicsOf(system, q, v, p).h.forEach((h, i) => expect(h).toBeCloseTo(v.reduce((sum, vk, k) => sum + slope[i * n + k]! * vk, 0), 10));
+    mechanicsOf(system, q, v, p).h.forEach((h, i) =>
+      expect(h).toBeCloseTo(
+        v.reduce((sum, vk, k) => sum + slope[i * n + k]! * vk, 0),
+        10,
+      ),
+    );
   });
 
   // The report's rows hold the world's Y, which turns with no one.
-  test.each(sets.filter((name) => name !== 'report'))('%s: mirrored states have mirrored accelerations; a shifted and turned world changes nothing', (name) => {
-    const { n, q, v, p } = draw(system, seed);
-    const { shift, turn, mirror } = symmetries[id]!;
-    const index = (coordinate: string) => system.meta.coordinates.findIndex((c) => c.name === coordinate);
-    const d = new ConstrainedSystem(system, p, name, [], null);
-    const acceleration = (q: Float64Array, v: Float64Array) => {
-      const a = vector(n);
-      expect(d.acceleration(0, q, v, a, vector(d.m))).toBe(true);
-      return a;
-    };
-    const a = acceleration(q, v);
-    const scale = Math.max(1e-3, ...a.map(Math.abs));
-    const expectSame = (actual: Float64Array, expected: Float64Array) => actual.forEach((ai, i) => expect(Math.abs(ai - expected[i]!) / scale).toBeLessThan(1e-9));
+  test.each(sets.filter((name) => name !== 'report'))(
+    '%s: mirrored states have mirrored accelerations; a shifted and turned world changes nothing',
+    (name) => {
+      const { n, q, v, p } = draw(system, seed);
+      const { shift, turn, mirror } = symmetries[id]!;
+      const index = (coordinate: string) => system.meta.coordinates.findIndex((c) => c.name === coordinate);
+      const d = new ConstrainedSystem(system, p, name, [], null);
+      const acceleration = (q: Float64Array, v: Float64Array) => {
+        const a = vector(n);
+        expect(d.acceleration(0, q, v, a, vector(d.m))).toBe(true);
+        return a;
+      };
+      const a = acceleration(q, v);
+      const scale = Math.max(1e-3, ...a.map(Math.abs));
+      const expectSame = (actual: Float64Array, expected: Float64Array) =>
+        actual.forEach((ai, i) => expect(Math.abs(ai - expected[i]!) / scale).toBeLessThan(1e-9));
 
-    const flip = (x: Float64Array) => x.map((xi, i) => (mirror?.includes(system.meta.coordinates[i]!.name) ? -xi : xi));
-    if (mirror) expectSame(acceleration(flip(q), flip(v)), flip(a));
+      const flip = (x: Float64Array) =>
+        x.map((xi, i) => (mirror?.includes(system.meta.coordinates[i]!.name) ? -xi : xi));
+      if (mirror) expectSame(acceleration(flip(q), flip(v)), flip(a));
 
-    const moved = q.slice();
-    for (const [coordinate, by] of Object.entries(shift)) moved[index(coordinate)]! += by;
-    expectSame(acceleration(moved, v), a);
+      const moved = q.slice();
+      for (const [coordinate, by] of Object.entries(shift)) moved[index(coordinate)]! += by;
+      expectSame(acceleration(moved, v), a);
 
-    if (!turn) return;
-    const angle = 0.7;
-    const [x, y, heading] = turn.map(index) as [number, number, number];
-    const turned = (from: Float64Array) => {
-      const out = from.slice();
-      out[x] = Math.cos(angle) * from[x]! - Math.sin(angle) * from[y]!;
-      out[y] = Math.sin(angle) * from[x]! + Math.cos(angle) * from[y]!;
-      return out;
-    };
-    const there = turned(q);
-    there[heading]! += angle;
-    expectSame(acceleration(there, turned(v)), turned(a));
-  });
+      if (!turn) return;
+      const angle = 0.7;
+      const [x, y, heading] = turn.map(index) as [number, number, number];
+      const turned = (from: Float64Array) => {
+        const out = from.slice();
+        out[x] = Math.cos(angle) * from[x]! - Math.sin(angle) * from[y]!;
+        out[y] = Math.sin(angle) * from[x]! + Math.cos(angle) * from[y]!;
+        return out;
+      };
+      const there = turned(q);
+      there[heading]! += angle;
+      expectSame(acceleration(there, turned(v)), turned(a));
+    },
+  );
 });

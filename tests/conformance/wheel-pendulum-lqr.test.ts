@@ -1,13 +1,13 @@
 import { readFileSync } from 'node:fs';
 import { Matrix } from 'ml-matrix';
 import { describe, expect, test } from 'vitest';
-import { compareOrders } from '../../src/core/control/linearize.ts';
-import { splitByReachability, unobservableSubspace } from '../../src/core/control/reachability.ts';
-import { solveCare } from '../../src/core/control/riccati.ts';
-import { lqrOf, operatingPoint } from '../../src/core/control/scenarioControl.ts';
-import type { Complex } from '../../src/core/control/spectrum.ts';
+import { compareOrders } from '../../src/core/control/linearization/linearize.ts';
+import { splitByReachability, unobservableSubspace } from '../../src/core/control/linearization/reachability.ts';
+import { solveCare } from '../../src/core/control/design/riccati.ts';
+import { lqrOf, operatingPoint } from '../../src/core/control/design/scenarioControl.ts';
+import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
 import { systems } from '../../src/core/systems/registry.ts';
-import { relativeDifference, spectralDistance } from '../unit/control/helpers.ts';
+import { relativeDifference, spectralDistance } from '../core/control/helpers.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
 const reference = JSON.parse(readFileSync('tests/reference/wheel-pendulum.json', 'utf8')) as {
@@ -27,7 +27,12 @@ const { rho } = reference.parameters as { rho: number };
 
 /** What is determined of a gain in (psi, psi_dot, phi, phi_dot): along these states X goes as rho phi. */
 const combined = (gain: (state: string) => number) =>
-  Matrix.rowVector([gain('psi'), gain('psi_dot'), gain('phi') + rho * gain('X'), gain('phi_dot') + rho * gain('X_dot')]);
+  Matrix.rowVector([
+    gain('psi'),
+    gain('psi_dot'),
+    gain('phi') + rho * gain('X'),
+    gain('phi_dot') + rho * gain('X_dot'),
+  ]);
 
 describe('the closed-form A and B', () => {
   const A = new Matrix(reference.A);
@@ -45,7 +50,12 @@ describe('the closed-form A and B', () => {
     const { gain, closedLoop, residual } = solveCare(split.A, split.B, root.transpose().mmul(root), [reference.R]);
     const K = gain.mmul(split.W);
     expect(residual).toBeLessThan(1e-12);
-    expect(relativeDifference(combined((name) => K.get(0, reference.state.indexOf(name))), known)).toBeLessThan(1e-8);
+    expect(
+      relativeDifference(
+        combined((name) => K.get(0, reference.state.indexOf(name))),
+        known,
+      ),
+    ).toBeLessThan(1e-8);
     expect(spectralDistance(reference.closedLoopEigenvalues, closedLoop)).toBeLessThan(1e-7);
   });
 });
@@ -66,7 +76,12 @@ describe.skipIf(!('wheel-pendulum' in systems))('the system', () => {
 
   test('gain and closed-loop eigenvalues', () => {
     const { gain, placed, linearization, riccati } = design();
-    expect(relativeDifference(combined((name) => gain.get(0, linearization.states.indexOf(name))), known)).toBeLessThan(1e-8);
+    expect(
+      relativeDifference(
+        combined((name) => gain.get(0, linearization.states.indexOf(name))),
+        known,
+      ),
+    ).toBeLessThan(1e-8);
     expect(spectralDistance(reference.closedLoopEigenvalues, placed)).toBeLessThan(1e-7);
     expect(riccati.residual).toBeLessThan(1e-10);
   });

@@ -16,7 +16,10 @@ export function tally(suite: string): (what: string, seconds?: number) => void {
   afterAll(() => {
     if (LENGTH <= 1) return;
     mkdirSync('.cache/fuzz', { recursive: true });
-    writeFileSync(`.cache/fuzz/${suite}.json`, JSON.stringify({ suite, seed: SEED, length: LENGTH, tried, simulated, counts }, null, 1));
+    writeFileSync(
+      `.cache/fuzz/${suite}.json`,
+      JSON.stringify({ suite, seed: SEED, length: LENGTH, tried, simulated, counts }, null, 1),
+    );
   });
   return (what, seconds = 0) => {
     tried++;

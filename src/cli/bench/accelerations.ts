@@ -1,6 +1,6 @@
-import type { ConstrainedSystem } from '../../core/dynamics/constrainedSystem.ts';
-import { formulations } from '../../core/dynamics/formulations/formulations.ts';
-import { createFormulation } from '../../core/dynamics/formulations/registry.ts';
+import type { ConstrainedSystem } from '../../core/mechanics/constrainedSystem.ts';
+import { formulations } from '../../core/mechanics/formulations/formulations.ts';
+import { createFormulation } from '../../core/mechanics/formulations/registry.ts';
 import { Checksum, measureTogether, type MeasureOptions, type Times, type Work } from './measure.ts';
 import { consistentStates, dynamicsOf, scenarioOf, type State } from './states.ts';
 

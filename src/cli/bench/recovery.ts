@@ -1,5 +1,5 @@
 /** How far a balanced board may be disturbed and still come upright again: by simulation, with one design per speed. */
-import { feedbackOf } from '../../core/control/feedback.ts';
+import { feedbackOf } from '../../core/control/design/feedback.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
@@ -65,7 +65,12 @@ const MOST_TRIES = 4;
  * then bisected until the two ends are within `ratio`. A few sizes just below are looked at too; other gaps narrower than a
  * stride are not seen.
  */
-export function largest(survives: (size: number) => boolean, start: number, most: number, ratio: number): { survived: number; failed: number } {
+export function largest(
+  survives: (size: number) => boolean,
+  start: number,
+  most: number,
+  ratio: number,
+): { survived: number; failed: number } {
   let low = start;
   while (!survives(low)) {
     low /= 2;

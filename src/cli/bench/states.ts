@@ -1,5 +1,5 @@
-import { ConstrainedSystem } from '../../core/dynamics/constrainedSystem.ts';
-import { Projection } from '../../core/dynamics/projection.ts';
+import { ConstrainedSystem } from '../../core/mechanics/constrainedSystem.ts';
+import { Projection } from '../../core/mechanics/projection.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import { systems } from '../../core/systems/registry.ts';

@@ -1,13 +1,13 @@
 import type { Case } from './case.ts';
-import { bicycleCases } from './bicycle.ts';
-import { cartPendulumCases } from './cartPendulum.ts';
-import { casterRotationCases } from './casterRotation.ts';
-import { casterboardRobotCases } from './casterboardRobot.ts';
-import { chaplyginSleighCases } from './chaplyginSleigh.ts';
-import { ripstikCases } from './ripstik.ts';
-import { rollingWheelCases } from './rollingWheel.ts';
-import { stiffDecayCases } from './stiffDecay.ts';
-import { wheelPendulumCases } from './wheelPendulum.ts';
+import { bicycleCases } from '../systems/bicycle/cases.ts';
+import { cartPendulumCases } from '../systems/cart-pendulum/cases.ts';
+import { casterRotationCases } from '../systems/caster-rotation/cases.ts';
+import { casterboardRobotCases } from '../systems/casterboard-robot/cases.ts';
+import { chaplyginSleighCases } from '../systems/chaplygin-sleigh/cases.ts';
+import { ripstikCases } from '../systems/ripstik/cases.ts';
+import { rollingWheelCases } from '../systems/rolling-wheel/cases.ts';
+import { stiffDecayCases } from '../systems/stiff-decay/cases.ts';
+import { wheelPendulumCases } from '../systems/wheel-pendulum/cases.ts';
 
 export type { Case } from './case.ts';
 

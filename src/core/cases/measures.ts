@@ -1,4 +1,4 @@
-import { inputsOf } from '../dynamics/inputs.ts';
+import { inputsOf } from '../mechanics/inputs.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
 import type { SystemView } from '../systems/types.ts';
 import type { Measure } from './case.ts';
@@ -12,7 +12,11 @@ export type Columns = (name: string) => Float64Array | undefined;
  * its inputs recorded.
  * @throws Error for a name that is neither
  */
-export function caseColumns(view: SystemView, parameters: Readonly<Record<string, number>>, recorded: Columns): (name: string) => Float64Array {
+export function caseColumns(
+  view: SystemView,
+  parameters: Readonly<Record<string, number>>,
+  recorded: Columns,
+): (name: string) => Float64Array {
   const { coordinates, bodies } = view.meta;
   const p = Float64Array.from(view.meta.parameters, (m) => parameters[m.name] ?? m.default);
   const poses = new Float64Array(12 * bodies.length);
@@ -39,10 +43,13 @@ function inputPower({ meta }: SystemView, recorded: Columns, gross: boolean): Fl
   for (const { name, column } of inputsOf(meta)) {
     const u = recorded(name);
     if (!u) {
-      if (meta.inputs.some((input) => input.name === name)) throw new Error(`the run has no column "${name}": power needs its inputs`);
+      if (meta.inputs.some((input) => input.name === name))
+        throw new Error(`the run has no column "${name}": power needs its inputs`);
       continue;
     }
-    const rates = Object.entries(column).map(([coordinate, weight]) => [recorded(`${coordinate}_dot`)!, weight] as const);
+    const rates = Object.entries(column).map(
+      ([coordinate, weight]) => [recorded(`${coordinate}_dot`)!, weight] as const,
+    );
     for (let row = 0; row < power.length; row++) {
       const part = u[row]! * rates.reduce((sum, [rate, weight]) => sum + weight * rate[row]!, 0);
       power[row]! += gross ? Math.abs(part) : part;
@@ -55,11 +62,14 @@ function inputPower({ meta }: SystemView, recorded: Columns, gross: boolean): Fl
 export function measured(measure: Measure, column: (name: string) => Float64Array): number {
   const t = column('t');
   if (measure.kind === 'end') return column(measure.column)[t.length - 1]!;
-  if (measure.kind === 'at') return column(measure.column)[t.findIndex((time) => Math.abs(time - measure.time) < 1e-9)] ?? NaN;
+  if (measure.kind === 'at')
+    return column(measure.column)[t.findIndex((time) => Math.abs(time - measure.time) < 1e-9)] ?? NaN;
   const { from = -Infinity, to = Infinity } = measure;
   const within = (values: Float64Array): Float64Array => values.filter((_, row) => t[row]! >= from && t[row]! <= to);
-  const distance = (along: { x: string; y: string }): number => pathLength(within(column(along.x)), within(column(along.y)));
-  const energy = (spent: 'net' | 'gross'): number => integral(within(column(spent === 'net' ? 'power' : 'power.gross')), within(t));
+  const distance = (along: { x: string; y: string }): number =>
+    pathLength(within(column(along.x)), within(column(along.y)));
+  const energy = (spent: 'net' | 'gross'): number =>
+    integral(within(column(spent === 'net' ? 'power' : 'power.gross')), within(t));
   switch (measure.kind) {
     case 'diameter':
       return circleDiameter(within(column(measure.x)), within(column(measure.y)));

@@ -14,10 +14,30 @@ export interface MethodChoice {
 const tolerances = { rtol: 1e-6, atol: 1e-8 };
 
 export const reportMethods: readonly MethodChoice[] = [
-  { id: 'qr', label: 'QR decomposition', method: { name: 'dopri5', formulation: 'nullspace-qr', ...tolerances }, report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Poor' } },
-  { id: 'collocation', label: 'Collocation (Radau IIA)', method: { name: 'radau', stages: 3, ...tolerances }, report: { seconds: 26.4, reached: 5.8, reconfigurability: 'Excellent' } },
-  { id: 'ida', label: 'IDA', method: { name: 'ida', ...tolerances }, report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Good' } },
-  { id: 'blt', label: 'BLT', method: { name: 'dopri5', formulation: 'blt', ...tolerances }, report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Poor' } },
+  {
+    id: 'qr',
+    label: 'QR decomposition',
+    method: { name: 'dopri5', formulation: 'nullspace-qr', ...tolerances },
+    report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Poor' },
+  },
+  {
+    id: 'collocation',
+    label: 'Collocation (Radau IIA)',
+    method: { name: 'radau', stages: 3, ...tolerances },
+    report: { seconds: 26.4, reached: 5.8, reconfigurability: 'Excellent' },
+  },
+  {
+    id: 'ida',
+    label: 'IDA',
+    method: { name: 'ida', ...tolerances },
+    report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Good' },
+  },
+  {
+    id: 'blt',
+    label: 'BLT',
+    method: { name: 'dopri5', formulation: 'blt', ...tolerances },
+    report: { seconds: 1.2, reached: 0.6, reconfigurability: 'Poor' },
+  },
 ];
 
 export const otherMethods: readonly MethodChoice[] = [
@@ -47,14 +67,29 @@ export interface MethodSet {
 const figure13: readonly MethodChoice[] = [
   { id: 'euler-4', label: 'Euler, h = 1/4', method: { name: 'euler', step: 1 / 4 }, outputStep: 1 / 4 },
   { id: 'euler-8', label: 'Euler, h = 1/8', method: { name: 'euler', step: 1 / 8 }, outputStep: 1 / 8 },
-  { id: 'adams-moulton-8', label: 'Adams–Moulton, h = 1/8', method: { name: 'adams-moulton', step: 1 / 8 }, outputStep: 1 / 8 },
+  {
+    id: 'adams-moulton-8',
+    label: 'Adams–Moulton, h = 1/8',
+    method: { name: 'adams-moulton', step: 1 / 8 },
+    outputStep: 1 / 8,
+  },
   { id: 'exact', label: 'Exact (DOP853, 1e-12)', method: { name: 'dop853', rtol: 1e-12, atol: 1e-12 } },
 ];
 
 export const methodSets: readonly MethodSet[] = [
-  { id: 'panel', label: 'Scenario in the panel', choices: [...reportMethods, ...otherMethods], chosen: ['qr', 'collocation', 'ida', 'blt', 'dopri5', 'dop853'], column: 'alpha_fp' },
   {
-    id: 'figure-13', label: 'Fig. 13: a stiff equation', choices: figure13, chosen: figure13.map((c) => c.id), column: 'y',
+    id: 'panel',
+    label: 'Scenario in the panel',
+    choices: [...reportMethods, ...otherMethods],
+    chosen: ['qr', 'collocation', 'ida', 'blt', 'dopri5', 'dop853'],
+    column: 'alpha_fp',
+  },
+  {
+    id: 'figure-13',
+    label: 'Fig. 13: a stiff equation',
+    choices: figure13,
+    chosen: figure13.map((c) => c.id),
+    column: 'y',
     scenario: { version: 1, system: 'stiff-decay', duration: 1, outputStep: 0.005 },
   },
 ];

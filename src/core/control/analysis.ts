@@ -1,9 +1,9 @@
 import { Matrix } from 'ml-matrix';
 import type { Scenario } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
-import { controlReport, type ControlReport } from './report.ts';
-import { preparedOf } from './scenarioControl.ts';
-import { distance, modesOf, type Complex, type Mode } from './spectrum.ts';
+import { controlReport, type ControlReport } from './design/report.ts';
+import { preparedOf } from './design/scenarioControl.ts';
+import { distance, modesOf, type Complex, type Mode } from './linearization/spectrum.ts';
 
 /** A report with a shape for each of its eigenvalues. */
 export interface ControlAnalysis extends ControlReport {
@@ -23,7 +23,14 @@ export function analyse(scenario: Scenario, system: System): ControlAnalysis {
   const modes = paired(report.eigenvalues, preparedOf(scenario, system).modes);
   if (!report.K) return { ...report, modes, closedLoopModes: null };
   const closed = Matrix.sub(A, new Matrix(report.B).mmul(new Matrix(report.K)));
-  return { ...report, modes, closedLoopModes: paired(report.closedLoopEigenvalues!, modesOf(N.transpose().mmul(closed).mmul(N), N, report.states)) };
+  return {
+    ...report,
+    modes,
+    closedLoopModes: paired(
+      report.closedLoopEigenvalues!,
+      modesOf(N.transpose().mmul(closed).mmul(N), N, report.states),
+    ),
+  };
 }
 
 /** Gives each eigenvalue the nearest shape that is left: a multiple zero scatters in a matrix that feedback has filled. */

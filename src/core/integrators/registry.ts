@@ -1,11 +1,11 @@
-import { AdamsMoulton } from './adamsMoulton.ts';
-import { Bdf } from './bdf.ts';
-import { Collocation } from './collocation.ts';
-import { gauss, radau } from './collocationCoefficients.ts';
+import { AdamsMoulton } from './multistep/adamsMoulton.ts';
+import { Bdf } from './multistep/bdf.ts';
+import { Collocation } from './collocation/collocation.ts';
+import { gauss, radau } from './collocation/collocationCoefficients.ts';
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
-import { Dop853 } from './dop853.ts';
-import { Dopri5 } from './dopri5.ts';
-import { Euler, Rk4 } from './explicitFixed.ts';
+import { Dop853 } from './runge-kutta/dop853.ts';
+import { Dopri5 } from './runge-kutta/dopri5.ts';
+import { Euler, Rk4 } from './runge-kutta/explicitFixed.ts';
 import type { OdeMethodId } from './methods.ts';
 
 type Create = (problem: OdeProblem, options: StepperOptions) => Stepper;

@@ -41,7 +41,14 @@ export function complexLuFactor(re: Float64Array, im: Float64Array, n: number, p
 }
 
 /** Solves A x = b in place of b = `x` + i `y` (n each) with the factors of `complexLuFactor`. */
-export function complexLuSolve(re: Float64Array, im: Float64Array, n: number, pivots: Int32Array, x: Float64Array, y: Float64Array): void {
+export function complexLuSolve(
+  re: Float64Array,
+  im: Float64Array,
+  n: number,
+  pivots: Int32Array,
+  x: Float64Array,
+  y: Float64Array,
+): void {
   for (let k = 0; k < n; k++) {
     const p = pivots[k]!;
     if (p === k) continue;

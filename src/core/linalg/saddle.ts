@@ -1,6 +1,5 @@
 import { back10, back4, factor10, factor4, forward10, forward4, rows10x4, solve10x4 } from './saddle10x4.generated.ts';
 
-
 /**
  * Kernels for the saddle-point system `[M -Omega^T; Omega 0]` by Cholesky factors of M and of its Schur complement
  * (Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5; Golub and Van Loan, Matrix Computations, 4th ed.,
@@ -13,7 +12,15 @@ export interface SaddleKernels {
   /** Y = L^-1 Omega^T by rows of Omega (m x n), S = Y^T Y with both triangles (m x m). */
   rows(L: Float64Array, inverse: Float64Array, omega: Float64Array, Y: Float64Array, S: Float64Array): void;
   /** Solves M x - Omega^T y = f, Omega x = g for x in place of f and y in place of g; S and `inverseS` factored. */
-  solve(L: Float64Array, inverse: Float64Array, Y: Float64Array, S: Float64Array, inverseS: Float64Array, f: Float64Array, g: Float64Array): void;
+  solve(
+    L: Float64Array,
+    inverse: Float64Array,
+    Y: Float64Array,
+    S: Float64Array,
+    inverseS: Float64Array,
+    f: Float64Array,
+    g: Float64Array,
+  ): void;
 }
 
 /** A symmetric positive definite matrix by its Cholesky factor. */
@@ -76,7 +83,12 @@ export function triangularLoops(n: number): Triangular {
   };
 }
 
-export function loopKernels(n: number, m: number, mass = triangularLoops(n), schur = triangularLoops(m)): SaddleKernels {
+export function loopKernels(
+  n: number,
+  m: number,
+  mass = triangularLoops(n),
+  schur = triangularLoops(m),
+): SaddleKernels {
   return {
     mass,
     schur,

@@ -46,12 +46,18 @@ export class Checker {
   }
 
   /** A plain finite number within bounds. */
-  number(path: string, raw: unknown, rule: { above?: number; least?: number; most?: number; integer?: boolean }): number | undefined {
+  number(
+    path: string,
+    raw: unknown,
+    rule: { above?: number; least?: number; most?: number; integer?: boolean },
+  ): number | undefined {
     if (raw === undefined) return this.add(path, 'is missing; a number is needed');
     if (typeof raw !== 'number') return this.add(path, `must be a number, not ${kindOf(raw)}`);
     if (!Number.isFinite(raw)) return this.add(path, `must be a finite number, not ${raw}`);
-    if (rule.above !== undefined && !(raw > rule.above)) return this.add(path, `must be greater than ${rule.above}, not ${raw}`);
-    if (rule.least !== undefined && raw < rule.least) return this.add(path, `must be at least ${rule.least}, not ${raw}`);
+    if (rule.above !== undefined && !(raw > rule.above))
+      return this.add(path, `must be greater than ${rule.above}, not ${raw}`);
+    if (rule.least !== undefined && raw < rule.least)
+      return this.add(path, `must be at least ${rule.least}, not ${raw}`);
     if (rule.most !== undefined && raw > rule.most) return this.add(path, `must be at most ${rule.most}, not ${raw}`);
     if (rule.integer && !Number.isInteger(raw)) return this.add(path, `must be a whole number, not ${raw}`);
     return raw;
@@ -64,7 +70,8 @@ export class Checker {
 
   /** Checks a number or expression of the given variables. */
   expression(path: string, raw: unknown, variables: readonly string[]) {
-    if (typeof raw !== 'number' && typeof raw !== 'string') return this.add(path, `must be a number or an expression, not ${kindOf(raw)}`);
+    if (typeof raw !== 'number' && typeof raw !== 'string')
+      return this.add(path, `must be a number or an expression, not ${kindOf(raw)}`);
     try {
       return compileExpression(raw, { variables });
     } catch (error) {
@@ -88,8 +95,13 @@ export function kindOf(raw: unknown): string {
 
 export function unknownName(name: string, known: readonly string[]): string {
   const shown = name.length > 40 ? `${name.slice(0, 39)}…` : name;
-  const near = known.map((k) => [distance(name.slice(0, 40).toLowerCase(), k.toLowerCase()), k] as const).sort((a, b) => a[0] - b[0])[0];
-  const guess = near && near[0] < near[1].length && near[0] <= Math.max(1, Math.floor(near[1].length / 3)) ? `did you mean "${near[1]}"? ` : '';
+  const near = known
+    .map((k) => [distance(name.slice(0, 40).toLowerCase(), k.toLowerCase()), k] as const)
+    .sort((a, b) => a[0] - b[0])[0];
+  const guess =
+    near && near[0] < near[1].length && near[0] <= Math.max(1, Math.floor(near[1].length / 3))
+      ? `did you mean "${near[1]}"? `
+      : '';
   return `unknown name "${shown}"; ${guess}right would be ${known.join(', ')}`;
 }
 

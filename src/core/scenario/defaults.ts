@@ -1,7 +1,25 @@
 /** What a scenario means where it is silent, and the names it may use (spec, section 6). */
-export const DEFAULTS = { duration: 10, outputStep: 0.01, rtol: 1e-8, atol: 1e-10, method: 'dopri5', formulation: 'multipliers', scheduled: 8 } as const;
+export const DEFAULTS = {
+  duration: 10,
+  outputStep: 0.01,
+  rtol: 1e-8,
+  atol: 1e-10,
+  method: 'dopri5',
+  formulation: 'multipliers',
+  scheduled: 8,
+} as const;
 
-export const METHOD_NAMES = ['euler', 'rk4', 'adams-moulton', 'dopri5', 'dop853', 'gauss', 'radau', 'bdf', 'ida'] as const;
+export const METHOD_NAMES = [
+  'euler',
+  'rk4',
+  'adams-moulton',
+  'dopri5',
+  'dop853',
+  'gauss',
+  'radau',
+  'bdf',
+  'ida',
+] as const;
 export const FORMULATION_NAMES = ['multipliers', 'nullspace-qr', 'blt'] as const;
 export const EVENT_NAMES = ['touchdown', 'constraint-singular'] as const;
 export const COLUMN_NAMES = ['lambda', 'energy', 'residual', 'inputs'] as const;
@@ -12,4 +30,3 @@ export const LONGEST_DURATION = 1e5;
 export const MOST_ROWS = 1e7;
 /** Characters of a scenario file; the largest sensible one has a few thousand. */
 export const LONGEST_FILE = 200_000;
-

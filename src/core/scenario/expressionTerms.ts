@@ -97,7 +97,11 @@ function binary(f: (x: number, y: number) => number, slopes: Slopes): (a: Term, 
   });
 }
 
-const test = (holds: (x: number, y: number) => boolean) => binary((x, y) => (holds(x, y) ? 1 : 0), () => 0);
+const test = (holds: (x: number, y: number) => boolean) =>
+  binary(
+    (x, y) => (holds(x, y) ? 1 : 0),
+    () => 0,
+  );
 
 const power = binary(Math.pow, (x, dx, y, dy, value) => {
   const base = dx === 0 || y === 0 ? 0 : y * Math.pow(x, y - 1) * dx;
@@ -105,7 +109,10 @@ const power = binary(Math.pow, (x, dx, y, dy, value) => {
 });
 
 /** Floored remainder: it has the sign of the divisor, so that mod(t, 2) repeats for negative t as well. */
-const modulo = binary((x, y) => x - y * Math.floor(x / y), (x, dx, y, dy) => dx - dy * Math.floor(x / y));
+const modulo = binary(
+  (x, y) => x - y * Math.floor(x / y),
+  (x, dx, y, dy) => dx - dy * Math.floor(x / y),
+);
 
 const hypotenuse = binary(Math.hypot, (x, dx, y, dy, value) => (value === 0 ? 0 : (x * dx + y * dy) / value));
 
@@ -113,10 +120,34 @@ const least = binary(Math.min, (x, dx, y, dy) => (y < x ? dy : dx));
 const most = binary(Math.max, (x, dx, y, dy) => (y > x ? dy : dx));
 
 export const operators: ReadonlyMap<string, (a: Term, b: Term) => Term> = new Map([
-  ['+', binary((x, y) => x + y, (_x, dx, _y, dy) => dx + dy)],
-  ['-', binary((x, y) => x - y, (_x, dx, _y, dy) => dx - dy)],
-  ['*', binary((x, y) => x * y, (x, dx, y, dy) => dx * y + x * dy)],
-  ['/', binary((x, y) => x / y, (_x, dx, y, dy, value) => (dx - value * dy) / y)],
+  [
+    '+',
+    binary(
+      (x, y) => x + y,
+      (_x, dx, _y, dy) => dx + dy,
+    ),
+  ],
+  [
+    '-',
+    binary(
+      (x, y) => x - y,
+      (_x, dx, _y, dy) => dx - dy,
+    ),
+  ],
+  [
+    '*',
+    binary(
+      (x, y) => x * y,
+      (x, dx, y, dy) => dx * y + x * dy,
+    ),
+  ],
+  [
+    '/',
+    binary(
+      (x, y) => x / y,
+      (_x, dx, y, dy, value) => (dx - value * dy) / y,
+    ),
+  ],
   ['^', power],
   ['<', test((x, y) => x < y)],
   ['>', test((x, y) => x > y)],
@@ -127,8 +158,14 @@ export const operators: ReadonlyMap<string, (a: Term, b: Term) => Term> = new Ma
 ]);
 
 /** Functions of several arguments: how many they take, and how two of them combine. */
-export const several: ReadonlyMap<string, readonly [fewest: number, most: number, combine: (a: Term, b: Term) => Term]> = new Map([
-  ['atan2', [2, 2, binary(Math.atan2, (y, dy, x, dx) => (x === 0 && y === 0 ? 0 : (x * dy - y * dx) / (x * x + y * y)))]],
+export const several: ReadonlyMap<
+  string,
+  readonly [fewest: number, most: number, combine: (a: Term, b: Term) => Term]
+> = new Map([
+  [
+    'atan2',
+    [2, 2, binary(Math.atan2, (y, dy, x, dx) => (x === 0 && y === 0 ? 0 : (x * dy - y * dx) / (x * x + y * y)))],
+  ],
   ['pow', [2, 2, power]],
   ['mod', [2, 2, modulo]],
   ['hypot', [2, 16, hypotenuse]],

@@ -26,9 +26,24 @@ export const constants: ReadonlyMap<string, number> = new Map([
 
 /** Characters that keyboards, documents and other programs bring. */
 const SPELLINGS = new Map([
-  ['−', '-'], ['–', '-'], ['×', '*'], ['·', '*'], ['⋅', '*'], ['÷', '/'],
-  ['π', ' pi '], ['°', ' deg '], ['º', ' deg '], ['²', '^2'], ['³', '^3'], ['≤', '<='], ['≥', '>='], ['≠', '!='],
-  ['\t', ' '], ['\u00a0', ' '], ['\u2009', ' '], ['\u202f', ' '],
+  ['−', '-'],
+  ['–', '-'],
+  ['×', '*'],
+  ['·', '*'],
+  ['⋅', '*'],
+  ['÷', '/'],
+  ['π', ' pi '],
+  ['°', ' deg '],
+  ['º', ' deg '],
+  ['²', '^2'],
+  ['³', '^3'],
+  ['≤', '<='],
+  ['≥', '>='],
+  ['≠', '!='],
+  ['\t', ' '],
+  ['\u00a0', ' '],
+  ['\u2009', ' '],
+  ['\u202f', ' '],
 ]);
 
 const TOKEN = /\s+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[A-Za-z_]\w*|<=|>=|==|!=|[-+*/^<>?:(),]/y;
@@ -61,7 +76,8 @@ export interface PlainText {
  * @throws ExpressionError
  */
 export function plainText(original: string, variables: readonly string[]): PlainText {
-  if (original.length > MOST_CHARACTERS) throw new ExpressionError(`${original.length} characters are more than the ${MOST_CHARACTERS} allowed`);
+  if (original.length > MOST_CHARACTERS)
+    throw new ExpressionError(`${original.length} characters are more than the ${MOST_CHARACTERS} allowed`);
   if (original.trim() === '') throw new ExpressionError('it is empty; a number or an expression is needed');
   let text = '';
   const from: number[] = [];
@@ -91,12 +107,14 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
     }
     if (token === '(') open++;
     if (token === ')' && --open < 0) throw new ExpressionError('a ")" without its "("', origin(at));
-    if (token === ',' && open === 0) throw new ExpressionError('a "," has no place here; decimals are written with a point', origin(at));
+    if (token === ',' && open === 0)
+      throw new ExpressionError('a "," has no place here; decimals are written with a point', origin(at));
     if (token === '?') nested++;
     // Exponents and runs of signs are read by recursion too.
     if (token === '^') powers++;
     run = token === '-' || token === '+' ? run + 1 : /^\s/.test(token) ? run : 0;
-    if (Math.max(open + nested, powers, run) > MOST_DEPTH) throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
+    if (Math.max(open + nested, powers, run) > MOST_DEPTH)
+      throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
     if (/^[A-Za-z_]/.test(token)) checkName(token, /^\s*\(/.test(text.slice(TOKEN.lastIndex)), origin(at), variables);
   }
   if (open > 0) throw new ExpressionError(open === 1 ? 'a ")" is missing' : `${open} ")" are missing`, original.length);
@@ -108,8 +126,15 @@ function checkName(name: string, called: boolean, position: number, variables: r
   if (called ? isFunction : isNumber) return;
   const shown = name.length > 40 ? `${name.slice(0, 39)}…` : name;
   if (called && isNumber) throw new ExpressionError(`"${name}" is not a function; write ${name} * (…)`, position);
-  if (called) throw new ExpressionError(`unknown function "${shown}"; known: ${[...unary.keys(), ...several.keys()].join(', ')}`, position);
+  if (called)
+    throw new ExpressionError(
+      `unknown function "${shown}"; known: ${[...unary.keys(), ...several.keys()].join(', ')}`,
+      position,
+    );
   if (isFunction) throw new ExpressionError(`"${name}" is a function; write ${name}(…)`, position);
   if (name === 't') throw new ExpressionError('this is a constant, so "t" has no place in it', position);
-  throw new ExpressionError(`unknown name "${shown}"; known: ${[...variables, ...constants.keys()].join(', ')}`, position);
+  throw new ExpressionError(
+    `unknown name "${shown}"; known: ${[...variables, ...constants.keys()].join(', ')}`,
+    position,
+  );
 }

@@ -1,4 +1,15 @@
-import { applied, choice, fixed, negated, operators, rateOf, several, unary, variable, type Term } from './expressionTerms.ts';
+import {
+  applied,
+  choice,
+  fixed,
+  negated,
+  operators,
+  rateOf,
+  several,
+  unary,
+  variable,
+  type Term,
+} from './expressionTerms.ts';
 import { constants, ExpressionError, MOST_DEPTH, plainText, type PlainText } from './expressionText.ts';
 import { type MathTree, parseMath } from './mathParser.ts';
 
@@ -21,7 +32,12 @@ const MOST_NODES = 200;
 
 /** mathjs' names for the comparisons of a chain `a < b <= c`. */
 const CHAINED = new Map([
-  ['smaller', '<'], ['smallerEq', '<='], ['larger', '>'], ['largerEq', '>='], ['equal', '=='], ['unequal', '!='],
+  ['smaller', '<'],
+  ['smallerEq', '<='],
+  ['larger', '>'],
+  ['largerEq', '>='],
+  ['equal', '=='],
+  ['unequal', '!='],
 ]);
 
 /**
@@ -29,7 +45,10 @@ const CHAINED = new Map([
  * @param options.variables names of the independent variable: `['t']`, or none for constants
  * @throws ExpressionError also where a constant, or a constant part, is not a finite number
  */
-export function compileExpression(text: string | number, options: { variables: readonly string[] }): CompiledExpression {
+export function compileExpression(
+  text: string | number,
+  options: { variables: readonly string[] },
+): CompiledExpression {
   if (typeof text === 'number') {
     if (!Number.isFinite(text)) throw new ExpressionError(`${text} is not a finite number`);
     return { evaluate: () => text, derivative: () => 0, constant: true };
@@ -77,7 +96,10 @@ class Compiler {
       const message = String((error as Error).message);
       const place = /\(char (\d+)\)/.exec(message);
       const what = message.replace(/\s*\(char \d+\)/, '').replace(/^\w*Error:\s*/, '');
-      throw new ExpressionError(`not an expression: ${what}`, place ? this.source.origin(Math.max(0, Number(place[1]) - 1)) : null);
+      throw new ExpressionError(
+        `not an expression: ${what}`,
+        place ? this.source.origin(Math.max(0, Number(place[1]) - 1)) : null,
+      );
     }
     return this.walk(tree as unknown as AnyNode, 0);
   }
@@ -88,7 +110,8 @@ class Compiler {
     const term = this.termOf(node, depth);
     if (!term.constant) return term;
     const value = term.value(0);
-    if (!Number.isFinite(value)) throw new ExpressionError(`${this.shown(node)} is ${value}; a finite number is needed`);
+    if (!Number.isFinite(value))
+      throw new ExpressionError(`${this.shown(node)} is ${value}; a finite number is needed`);
     return fixed(value);
   }
 
@@ -104,7 +127,10 @@ class Compiler {
         return this.symbol(node.name);
       case 'OperatorNode':
         // A sum or product of many parts is a long list, not a deep nest: its left side keeps the depth.
-        return this.operator(node.op, node.args.map((arg, i) => this.walk(arg, depth + (node.args.length === 2 && i === 0 ? 0 : 1))));
+        return this.operator(
+          node.op,
+          node.args.map((arg, i) => this.walk(arg, depth + (node.args.length === 2 && i === 0 ? 0 : 1))),
+        );
       case 'RelationalNode':
         return this.chain(node.conditionals, node.params.map(next));
       case 'ConditionalNode':
@@ -127,14 +153,17 @@ class Compiler {
     if (args.length === 1 && op === '-') return negated(args[0]!);
     if (args.length === 1 && op === '+') return args[0]!;
     const combine = args.length === 2 ? operators.get(op) : undefined;
-    if (!combine) throw new ExpressionError(`that operator is not allowed; right would be ${[...operators.keys()].join(' ')}`);
+    if (!combine)
+      throw new ExpressionError(`that operator is not allowed; right would be ${[...operators.keys()].join(' ')}`);
     return combine(args[0]!, args[1]!);
   }
 
   /** All comparisons of `a < b < c` hold. The middle is evaluated twice, at one level of nesting only. */
   private chain(conditionals: readonly string[], params: readonly Term[]): Term {
     if (params.slice(1, -1).some((p) => p !== variable && !p.constant)) {
-      throw new ExpressionError('only t or a number may stand between two comparisons; join them by a product: (a < b) * (b < c)');
+      throw new ExpressionError(
+        'only t or a number may stand between two comparisons; join them by a product: (a < b) * (b < c)',
+      );
     }
     const tests = conditionals.map((name, i) => this.operator(CHAINED.get(name) ?? '', [params[i]!, params[i + 1]!]));
     return tests.reduce(operators.get('*')!);

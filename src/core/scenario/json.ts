@@ -1,4 +1,5 @@
-const TOKEN = /[ \t\n\r]+|"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?(?![\w.])|(?:true|false|null)\b|[{}[\],:]/y;
+const TOKEN =
+  /[ \t\n\r]+|"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?(?![\w.])|(?:true|false|null)\b|[{}[\],:]/y;
 
 /**
  * Where a text stops being JSON: engines word this differently, and some leave the place out.
@@ -13,10 +14,16 @@ export function jsonFault(text: string): { position: number; message: string } |
     if (token === undefined) return { position: at, message: strange(text, at, expected) };
     if (/^\s/.test(token)) continue;
     const next = after(token, expected, open);
-    if (next === null) return { position: at, message: `${token.length > 20 ? `${token.slice(0, 19)}…` : token} where ${WORDS[expected]} is expected` };
+    if (next === null)
+      return {
+        position: at,
+        message: `${token.length > 20 ? `${token.slice(0, 19)}…` : token} where ${WORDS[expected]} is expected`,
+      };
     expected = next;
   }
-  return expected === 'end' ? null : { position: text.length, message: `the text ends where ${WORDS[expected]} is expected` };
+  return expected === 'end'
+    ? null
+    : { position: text.length, message: `the text ends where ${WORDS[expected]} is expected` };
 }
 
 /** 1-based line and column of a position. */

@@ -1,3 +1,4 @@
+// prettier-ignore
 // @ts-expect-error: exported by mathjs, though its type declarations leave the factories out
 import { createConditionalNode, createConstantNode, createFunctionNode, createNode, createOperatorNode, createParenthesisNode, createParse, createRelationalNode, createSymbolNode } from 'mathjs/number';
 
@@ -15,16 +16,18 @@ type Factory = (dependencies: Readonly<Record<string, unknown>>) => NodeClass;
 type ParserFactory = (dependencies: Readonly<Record<string, unknown>>) => (text: string) => MathTree;
 
 /** A kind of part that no expression may have: the parser can make it, and who walks the tree refuses it by its type. */
-const refused = (type: string): NodeClass => class {
-  readonly type = type;
+const refused = (type: string): NodeClass =>
+  class {
+    readonly type = type;
 
-  toString(): string {
-    return type;
-  }
-};
+    toString(): string {
+      return type;
+    }
+  };
 
 /** `parse` is one function for text, lists and options; only its text is of use here. */
-const textOnly = (_name: string, signatures: { string(text: string): MathTree }): ((text: string) => MathTree) => signatures.string;
+const textOnly = (_name: string, signatures: { string(text: string): MathTree }): ((text: string) => MathTree) =>
+  signatures.string;
 
 textOnly.addConversion = (): void => {};
 

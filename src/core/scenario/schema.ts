@@ -1,15 +1,46 @@
-import { inputsOf } from '../dynamics/inputs.ts';
+import { inputsOf } from '../mechanics/inputs.ts';
 import type { SystemMeta } from '../systems/types.ts';
 import { Checker, kindOf } from './checker.ts';
-import { COLUMN_NAMES, DEFAULTS, EVENT_NAMES, FORMULATION_NAMES, LONGEST_DURATION, LONGEST_FILE, METHOD_NAMES, MOST_ROWS, MOST_SCHEDULED } from './defaults.ts';
+import {
+  COLUMN_NAMES,
+  DEFAULTS,
+  EVENT_NAMES,
+  FORMULATION_NAMES,
+  LONGEST_DURATION,
+  LONGEST_FILE,
+  METHOD_NAMES,
+  MOST_ROWS,
+  MOST_SCHEDULED,
+} from './defaults.ts';
 import { jsonFault, placeIn } from './json.ts';
-import { ScenarioError, type LqrControl, type MethodOptions, type NumberOrExpression, type Scenario, type SpeedSchedule, type TrackControl } from './types.ts';
+import {
+  ScenarioError,
+  type LqrControl,
+  type MethodOptions,
+  type NumberOrExpression,
+  type Scenario,
+  type SpeedSchedule,
+  type TrackControl,
+} from './types.ts';
 
 type Metas = Readonly<Record<string, SystemMeta>>;
 
 const KEYS = [
-  'version', 'system', 'parameterSet', 'parameters', 'constraints', 'hold', 'initial', 'inputs', 'control', 'at',
-  'method', 'duration', 'outputStep', 'events', 'columns',
+  'version',
+  'system',
+  'parameterSet',
+  'parameters',
+  'constraints',
+  'hold',
+  'initial',
+  'inputs',
+  'control',
+  'at',
+  'method',
+  'duration',
+  'outputStep',
+  'events',
+  'columns',
 ] as const;
 
 /**
@@ -29,7 +60,8 @@ export function collectScenarioErrors(raw: unknown, systems: Metas): Map<string,
 
 /** Reads JSON text. @throws ScenarioError, also for a syntax error, with its line and column */
 export function parseScenario(text: string, systems: Metas): Scenario {
-  if (text.length > LONGEST_FILE) throw new ScenarioError('', `${text.length} characters are more than a scenario's ${LONGEST_FILE}`);
+  if (text.length > LONGEST_FILE)
+    throw new ScenarioError('', `${text.length} characters are more than a scenario's ${LONGEST_FILE}`);
   const plain = text.replace(/^\ufeff/, '');
   const fault = jsonFault(plain);
   if (fault) {
@@ -46,8 +78,14 @@ function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map
     return { errors: c.errors };
   }
   const file = new Map(c.entries('', raw, KEYS));
-  if (file.get('version') !== 1) c.add('version', file.has('version') ? `must be 1, not ${kindOf(file.get('version'))}` : 'is missing; it must be 1');
-  const id = file.has('system') ? c.oneOf('system', file.get('system'), Object.keys(systems)) : c.add('system', `is missing; right would be ${Object.keys(systems).join(', ')}`);
+  if (file.get('version') !== 1)
+    c.add(
+      'version',
+      file.has('version') ? `must be 1, not ${kindOf(file.get('version'))}` : 'is missing; it must be 1',
+    );
+  const id = file.has('system')
+    ? c.oneOf('system', file.get('system'), Object.keys(systems))
+    : c.add('system', `is missing; right would be ${Object.keys(systems).join(', ')}`);
   if (id === undefined) return { errors: c.errors };
   const scenario = checkSystem(c, file, id, systems[id]!);
   return { scenario, errors: c.errors };
@@ -59,12 +97,22 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
   const states = meta.order === 1 ? coordinates : [...coordinates, ...coordinates.map((name) => `${name}_dot`)];
   const points = meta.speed ? [...states, meta.speed.name] : states;
   const inputs = inputsOf(meta).map((i) => i.name);
-  const set = file.get('parameterSet') === undefined ? null : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
+  const set =
+    file.get('parameterSet') === undefined
+      ? null
+      : (c.oneOf('parameterSet', file.get('parameterSet'), Object.keys(meta.parameterSets)) ?? null);
   const sets = meta.constraintSets.map((s) => s.id);
-  const constraints = file.get('constraints') === undefined ? sets[0]! : (c.oneOf('constraints', file.get('constraints'), sets) ?? sets[0]!);
+  const constraints =
+    file.get('constraints') === undefined
+      ? sets[0]!
+      : (c.oneOf('constraints', file.get('constraints'), sets) ?? sets[0]!);
   const duration = optional(c, file, 'duration', { above: 0, most: LONGEST_DURATION }) ?? DEFAULTS.duration;
   const outputStep = optional(c, file, 'outputStep', { above: 0 }) ?? DEFAULTS.outputStep;
-  if (duration / outputStep > MOST_ROWS) c.add('outputStep', `${duration} s in steps of ${outputStep} s are more than ${MOST_ROWS} rows; take a larger step`);
+  if (duration / outputStep > MOST_ROWS)
+    c.add(
+      'outputStep',
+      `${duration} s in steps of ${outputStep} s are more than ${MOST_ROWS} rows; take a larger step`,
+    );
   const events: Scenario['events'] = {};
   for (const [name, action] of c.entries('events', file.get('events'), EVENT_NAMES)) {
     const known = c.oneOf(`events.${name}`, action, ['stop', 'ignore']);
@@ -89,7 +137,12 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
   };
 }
 
-function optional(c: Checker, file: ReadonlyMap<string, unknown>, key: string, rule: Parameters<Checker['number']>[2]): number | undefined {
+function optional(
+  c: Checker,
+  file: ReadonlyMap<string, unknown>,
+  key: string,
+  rule: Parameters<Checker['number']>[2],
+): number | undefined {
   return file.get(key) === undefined ? undefined : c.number(key, file.get(key), rule);
 }
 
@@ -103,18 +156,30 @@ function constants(c: Checker, path: string, raw: unknown, known: readonly strin
 }
 
 /** States by name; a speed is said in velocities. */
-function statesOf(c: Checker, path: string, raw: unknown, { speed }: SystemMeta, known: readonly string[]): Record<string, number> {
+function statesOf(
+  c: Checker,
+  path: string,
+  raw: unknown,
+  { speed }: SystemMeta,
+  known: readonly string[],
+): Record<string, number> {
   const named = constants(c, path, raw, known);
   const value = speed && named[speed.name];
   if (!speed || value === undefined) return named;
   const { [speed.name]: _, ...states } = named;
   const [ahead, aside] = speed.along;
-  for (const name of speed.along) if (states[name] !== undefined) c.add(`${path}.${name}`, `is said by "${speed.name}" too; leave one of them out`);
+  for (const name of speed.along)
+    if (states[name] !== undefined) c.add(`${path}.${name}`, `is said by "${speed.name}" too; leave one of them out`);
   const heading = states[speed.heading] ?? 0;
   return { ...states, [ahead]: value * Math.cos(heading), [aside]: value * Math.sin(heading) };
 }
 
-function expressions(c: Checker, path: string, raw: unknown, known: readonly string[]): Record<string, NumberOrExpression> {
+function expressions(
+  c: Checker,
+  path: string,
+  raw: unknown,
+  known: readonly string[],
+): Record<string, NumberOrExpression> {
   const result: Record<string, NumberOrExpression> = {};
   for (const [name, value] of c.entries(path, raw, known)) {
     if (c.expression(`${path}.${name}`, value, ['t'])) result[name] = value as NumberOrExpression;
@@ -125,29 +190,45 @@ function expressions(c: Checker, path: string, raw: unknown, known: readonly str
 function checkParameters(c: Checker, raw: unknown, meta: SystemMeta, set: string | null): Record<string, number> {
   const values = Object.fromEntries(meta.parameters.map((p) => [p.name, p.default]));
   Object.assign(values, set === null ? {} : meta.parameterSets[set]);
-  const named = constants(c, 'parameters', raw, meta.parameters.map((p) => p.name));
+  const named = constants(
+    c,
+    'parameters',
+    raw,
+    meta.parameters.map((p) => p.name),
+  );
   for (const p of meta.parameters) {
     const value = named[p.name];
     if (value === undefined) continue;
-    const rule = { ...(p.positive ? { above: 0 } : {}), ...(p.min === undefined ? {} : { least: p.min }), ...(p.max === undefined ? {} : { most: p.max }) };
+    const rule = {
+      ...(p.positive ? { above: 0 } : {}),
+      ...(p.min === undefined ? {} : { least: p.min }),
+      ...(p.max === undefined ? {} : { most: p.max }),
+    };
     if (c.number(`parameters.${p.name}`, value, rule) !== undefined) values[p.name] = value;
   }
   return values;
 }
 
 function checkMethod(c: Checker, raw: unknown): MethodOptions {
-  const method = new Map(c.entries('method', raw, ['name', 'formulation', 'rtol', 'atol', 'step', 'maxStep', 'stages', 'projection']));
+  const method = new Map(
+    c.entries('method', raw, ['name', 'formulation', 'rtol', 'atol', 'step', 'maxStep', 'stages', 'projection']),
+  );
   const number = (key: string, rule: Parameters<Checker['number']>[2]): number | undefined =>
     method.get(key) === undefined ? undefined : c.number(`method.${key}`, method.get(key), rule);
   const name = (key: string, known: readonly string[], byDefault: string): string =>
     method.get(key) === undefined ? byDefault : (c.oneOf(`method.${key}`, method.get(key), known) ?? byDefault);
   const projection = method.get('projection') ?? true;
   if (typeof projection !== 'boolean') c.add('method.projection', `must be true or false, not ${kindOf(projection)}`);
-  const [step, maxStep, stages] = [number('step', { above: 0 }), number('maxStep', { above: 0 }), number('stages', { least: 1, most: 4, integer: true })];
+  const [step, maxStep, stages] = [
+    number('step', { above: 0 }),
+    number('maxStep', { above: 0 }),
+    number('stages', { least: 1, most: 4, integer: true }),
+  ];
   const methodName = name('name', METHOD_NAMES, DEFAULTS.method);
   const formulation = name('formulation', FORMULATION_NAMES, DEFAULTS.formulation);
   const residual = methodName === 'ida';
-  if (residual && method.get('formulation') !== undefined) c.add('method.formulation', 'is for every method but ida, which takes the residual as it is; leave it out');
+  if (residual && method.get('formulation') !== undefined)
+    c.add('method.formulation', 'is for every method but ida, which takes the residual as it is; leave it out');
   return {
     name: methodName,
     ...(residual ? {} : { formulation }),
@@ -174,16 +255,26 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   if (c.errors.has('control')) return null;
   const type = c.oneOf('control.type', all.get('type'), ['lqr', 'track']);
   if (type === undefined) return null;
-  const keys = type === 'lqr' ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule'] : ['type', 'reference', 'kp', 'kd', 'limits'];
+  const keys =
+    type === 'lqr'
+      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule']
+      : ['type', 'reference', 'kp', 'kd', 'limits'];
   const control = new Map(c.entries('control', raw, keys));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
   return type === 'lqr' ? checkLqr(c, control, meta, names, limits) : checkTrack(c, control, meta, limits);
 }
 
-function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta, { states, points, inputs }: Names, limits: Record<string, number>): LqrControl {
+function checkLqr(
+  c: Checker,
+  control: ReadonlyMap<string, unknown>,
+  meta: SystemMeta,
+  { states, points, inputs }: Names,
+  limits: Record<string, number>,
+): LqrControl {
   const names = c.names('control.inputs', control.get('inputs'), inputs);
-  if (names.length === 0) c.add('control.inputs', `name at least one input; there are ${inputs.slice(0, 12).join(', ')}`);
+  if (names.length === 0)
+    c.add('control.inputs', `name at least one input; there are ${inputs.slice(0, 12).join(', ')}`);
   const Q = constants(c, 'control.Q', control.get('Q'), states);
   const R = constants(c, 'control.R', control.get('R'), names);
   for (const [name, value] of Object.entries(Q)) c.number(`control.Q.${name}`, value, { least: 0 });
@@ -201,18 +292,28 @@ function checkLqr(c: Checker, control: ReadonlyMap<string, unknown>, meta: Syste
 
 function checkSchedule(c: Checker, raw: unknown, meta: SystemMeta): SpeedSchedule {
   const path = 'control.schedule';
-  if (!(meta.forward ?? meta.speed)) c.add(path, `${meta.id} has no forward speed to schedule gains over; leave it out`);
+  if (!(meta.forward ?? meta.speed))
+    c.add(path, `${meta.id} has no forward speed to schedule gains over; leave it out`);
   const given = new Map(c.entries(path, raw, ['from', 'to', 'count']));
   const from = c.number(`${path}.from`, given.get('from'), { above: 0 }) ?? 1;
   const to = c.number(`${path}.to`, given.get('to'), { above: from }) ?? from;
-  const count = given.get('count') === undefined ? DEFAULTS.scheduled : c.number(`${path}.count`, given.get('count'), { least: 2, most: MOST_SCHEDULED, integer: true });
+  const count =
+    given.get('count') === undefined
+      ? DEFAULTS.scheduled
+      : c.number(`${path}.count`, given.get('count'), { least: 2, most: MOST_SCHEDULED, integer: true });
   return { from, to, count: count ?? DEFAULTS.scheduled };
 }
 
-function checkTrack(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta, limits: Record<string, number>): TrackControl {
+function checkTrack(
+  c: Checker,
+  control: ReadonlyMap<string, unknown>,
+  meta: SystemMeta,
+  limits: Record<string, number>,
+): TrackControl {
   const followers = meta.inputs.filter((i) => i.tracks).map((i) => i.name);
   const reference = expressions(c, 'control.reference', control.get('reference'), followers);
-  if (control.get('reference') === undefined) c.add('control.reference', `is missing; it names what an input follows, by ${followers.join(', ')}`);
+  if (control.get('reference') === undefined)
+    c.add('control.reference', `is missing; it names what an input follows, by ${followers.join(', ')}`);
   const gain = (key: 'kp' | 'kd'): number => c.number(`control.${key}`, control.get(key), { least: 0 }) ?? 0;
   return { type: 'track', reference, kp: gain('kp'), kd: gain('kd'), limits };
 }

@@ -1,5 +1,5 @@
-import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
-import { Projection } from '../dynamics/projection.ts';
+import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { Projection } from '../mechanics/projection.ts';
 import type { System } from '../systems/types.ts';
 
 /** How well recorded numbers keep energy and constraints. */

@@ -1,4 +1,4 @@
-import type { Forcing } from '../dynamics/constrainedSystem.ts';
+import type { Forcing } from '../mechanics/constrainedSystem.ts';
 import { ScenarioError } from '../scenario/types.ts';
 import type { System } from '../systems/types.ts';
 import type { Push } from './push.ts';
@@ -55,10 +55,18 @@ export class PushForce {
       const { meta, poseJacobian } = this.system;
       if (!poseJacobian) throw new ScenarioError('push', `nothing of ${meta.id} can be pushed`);
       const body = meta.bodies.findIndex((b) => b.id === push.body);
-      if (body < 0) throw new ScenarioError('push.body', `there is no body "${push.body}"; right would be ${meta.bodies.map((b) => b.id).join(', ')}`);
+      if (body < 0)
+        throw new ScenarioError(
+          'push.body',
+          `there is no body "${push.body}"; right would be ${meta.bodies.map((b) => b.id).join(', ')}`,
+        );
       const { velocity, since } = push.moving ?? AT_REST;
       const numbers = [...push.point, ...push.target, ...velocity, since, push.stiffness, push.damping];
-      if (numbers.length !== 12 || !numbers.every(Number.isFinite)) throw new ScenarioError('push', 'point, target and velocity need three finite numbers each, since, stiffness and damping one');
+      if (numbers.length !== 12 || !numbers.every(Number.isFinite))
+        throw new ScenarioError(
+          'push',
+          'point, target and velocity need three finite numbers each, since, stiffness and damping one',
+        );
       this.body = body;
     }
     this.push = push;
@@ -98,7 +106,8 @@ export class PushForce {
     for (let c = 0; c < 3; c++) {
       const origin = (12 * this.body + c) * n;
       const row = (12 * this.body + 3 + 3 * c) * n;
-      for (let k = 0; k < n; k++) out[c * n + k] = all[origin + k]! + x * all[row + k]! + y * all[row + n + k]! + z * all[row + 2 * n + k]!;
+      for (let k = 0; k < n; k++)
+        out[c * n + k] = all[origin + k]! + x * all[row + k]! + y * all[row + n + k]! + z * all[row + 2 * n + k]!;
     }
   }
 
@@ -138,7 +147,8 @@ export class PushForce {
     for (let c = 0; c < 3; c++) {
       let rate = 0;
       for (let k = 0; k < n; k++) rate += aside[c * n + k]! * v[k]!;
-      for (let i = 0; i < n; i++) forceQ[i * n + j]! += weight * (aside[c * n + i]! * pull[c]! - damping * J[c * n + i]! * rate);
+      for (let i = 0; i < n; i++)
+        forceQ[i * n + j]! += weight * (aside[c * n + i]! * pull[c]! - damping * J[c * n + i]! * rate);
     }
   }
 }

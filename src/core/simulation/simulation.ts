@@ -1,9 +1,9 @@
-import { ConstrainedSystem } from '../dynamics/constrainedSystem.ts';
-import { consistentStart, type StartAdjustment } from '../dynamics/consistentStart.ts';
-import { eventsOf, type EventFunction } from '../dynamics/events.ts';
-import { actuationOf, type Actuation, type Feedback } from '../dynamics/forcing.ts';
-import type { StateMap } from '../dynamics/formulations/contract.ts';
-import { Projection } from '../dynamics/projection.ts';
+import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
+import { eventsOf, type EventFunction } from '../mechanics/events.ts';
+import { actuationOf, type Actuation, type Feedback } from '../mechanics/forcing.ts';
+import type { StateMap } from '../mechanics/formulations/contract.ts';
+import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
@@ -118,7 +118,11 @@ export class Simulation {
   private largestKinetic = 0;
   private largestResidual = 0;
 
-  constructor(scenario: Scenario, system: System, { extras = scenario.columns, from, feedback = null, pushes }: RunOptions = {}) {
+  constructor(
+    scenario: Scenario,
+    system: System,
+    { extras = scenario.columns, from, feedback = null, pushes }: RunOptions = {},
+  ) {
     this.scenario = scenario;
     this.system = system;
     const { meta } = system;
@@ -176,8 +180,19 @@ export class Simulation {
 
   get counts(): RunCounts {
     const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
-    const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(this.earlier, this.stepper.counters);
-    return { steps, rejected, evaluations, jacobians, factorizations, energyDrift: (this.energy - this.startEnergy) / scale, residual: this.largestResidual };
+    const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(
+      this.earlier,
+      this.stepper.counters,
+    );
+    return {
+      steps,
+      rejected,
+      evaluations,
+      jacobians,
+      factorizations,
+      energyDrift: (this.energy - this.startEnergy) / scale,
+      residual: this.largestResidual,
+    };
   }
 
   /**
@@ -344,7 +359,8 @@ export class Simulation {
   private emit(time: number): void {
     const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
     if (this.projecting) this.rowProjection.project(time, q, v);
-    if (!(maxAbs(q) < Infinity && maxAbs(v) < Infinity)) return this.stop('non-finite', failureMessage('non-finite', time), time);
+    if (!(maxAbs(q) < Infinity && maxAbs(v) < Infinity))
+      return this.stop('non-finite', failureMessage('non-finite', time), time);
     if (this.rows >= this.chunk[0]!.length) this.grow();
     const row = this.rows++;
     let c = 0;

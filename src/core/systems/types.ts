@@ -63,15 +63,30 @@ export interface ConstraintSet {
   /** `Omega` is rows x n, `gamma` has rows entries. */
   evaluate(q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array): void;
   /** The system's `mechanics` and `evaluate` in one, where that is cheaper than the two. */
-  dynamics?(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array): void;
+  dynamics?(
+    q: Float64Array,
+    v: Float64Array,
+    p: Float64Array,
+    massMatrix: Float64Array,
+    h: Float64Array,
+    omega: Float64Array,
+    gamma: Float64Array,
+  ): void;
   /**
    * Exact Jacobians at given a and lambda:
    * `forceQ` = d(Omega^T lambda)/dq (n x n), `rateQ`, `rateV` = d(Omega a + gamma)/dq, /dv (rows x n),
    * `velocityQ` = d(Omega v)/dq (rows x n).
    */
   jacobians(
-    q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array,
-    forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
+    q: Float64Array,
+    v: Float64Array,
+    a: Float64Array,
+    lambda: Float64Array,
+    p: Float64Array,
+    forceQ: Float64Array,
+    rateQ: Float64Array,
+    rateV: Float64Array,
+    velocityQ: Float64Array,
   ): void;
   /** Holonomic part: heights kept at exactly zero. `rows[i]` is the row of Omega that is d(height_i)/dq. */
   contact: ContactMeta | null;
@@ -139,7 +154,14 @@ export interface System extends SystemView {
   /** Mass matrix (n x n, both triangles) and h (n) at q, v. */
   mechanics(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array): void;
   /** Exact Jacobians of `M a - h` at given a: `dq`, `dv` (n x n each). */
-  jacobians(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
+  jacobians(
+    q: Float64Array,
+    v: Float64Array,
+    a: Float64Array,
+    p: Float64Array,
+    dq: Float64Array,
+    dv: Float64Array,
+  ): void;
   /** `out` = [kinetic, potential] in J. */
   energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
   /** Exact derivatives of `poses` by q (12 per body x n). Without it no body can be pushed. */

@@ -17,7 +17,10 @@ export interface Typeset {
   structure: readonly string[];
   losses: readonly string[];
   /** The upper triangle of a mass matrix too large for `motion`: what can be read, and how long the rest is. */
-  mass: { entries: readonly { row: string; column: string; latex: string }[]; left: readonly { row: string; column: string; operations: number }[] } | null;
+  mass: {
+    entries: readonly { row: string; column: string; latex: string }[];
+    left: readonly { row: string; column: string; operations: number }[];
+  } | null;
   constraints: readonly TypesetConstraints[];
 }
 
@@ -35,7 +38,11 @@ export interface TypesetBody {
 export interface TypesetConstraints {
   /** Of the constraint set. */
   id: string;
-  rows: readonly { title: string; latex: string; entries: readonly { column: string; latex?: string; operations?: number }[] }[];
+  rows: readonly {
+    title: string;
+    latex: string;
+    entries: readonly { column: string; latex?: string; operations?: number }[];
+  }[];
   heights: readonly string[];
 }
 
@@ -60,7 +67,11 @@ export function loadTypeset(id: string): Promise<Typeset> | undefined {
 const MARK = /\\s\{([^}]+)\}/g;
 
 /** Marked LaTeX with `set(name, letter)` in place of every mark. */
-export function setMarks(latex: string, symbols: Typeset['symbols'], set: (name: string, letter: string) => string = (_, letter) => letter): string {
+export function setMarks(
+  latex: string,
+  symbols: Typeset['symbols'],
+  set: (name: string, letter: string) => string = (_, letter) => letter,
+): string {
   return latex.replace(MARK, (_, name: string) => set(name, symbols[name] ?? String.raw`\text{${name}}`));
 }
 

@@ -7,5 +7,8 @@ export const bicycleView: SystemView = {
   meta: bicycleMeta,
   poses,
   contacts: [],
-  tracks: [{ body: 0, part: 'back', rim: 'rearRadius' }, { body: 3, part: 'front', rim: 'frontRadius' }],
+  tracks: [
+    { body: 0, part: 'back', rim: 'rearRadius' },
+    { body: 3, part: 'front', rim: 'frontRadius' },
+  ],
 };

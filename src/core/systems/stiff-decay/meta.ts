@@ -5,18 +5,21 @@ export const stiffDecayMeta = {
   id: 'stiff-decay',
   title: 'Stiff decay (y′ = −15 y)',
   order: 1,
-  coordinates: [
-    { name: 'y', symbol: 'y', label: 'value', kind: 'length', part: 'board', rest: 1 },
-  ],
+  coordinates: [{ name: 'y', symbol: 'y', label: 'value', kind: 'length', part: 'board', rest: 1 }],
   parameters: [
-    { name: 'rate', symbol: 'k', label: 'rate of decay', unit: '1/s', default: 15, group: 'Decay', note: 'y′ = −rate · y', source: 'report, Fig. 13' },
+    {
+      name: 'rate',
+      symbol: 'k',
+      label: 'rate of decay',
+      unit: '1/s',
+      default: 15,
+      group: 'Decay',
+      note: 'y′ = −rate · y',
+      source: 'report, Fig. 13',
+    },
   ],
   parameterSets: {},
-  constraintSets: [
-    { id: 'none', label: 'None: there are no constraints' },
-  ],
+  constraintSets: [{ id: 'none', label: 'None: there are no constraints' }],
   inputs: [],
-  bodies: [
-    { id: 'marker', label: 'value as a height', part: 'board' },
-  ],
+  bodies: [{ id: 'marker', label: 'value as a height', part: 'board' }],
 } as const satisfies SystemMeta;

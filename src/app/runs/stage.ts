@@ -1,0 +1,61 @@
+import { computed, signal, type ReadonlySignal } from '@preact/signals';
+import type { SystemMeta } from '../../core/systems/types.ts';
+import { MotionSampler } from '../../core/motion/motionSampler.ts';
+import type { Trajectory } from '../../core/motion/trajectory.ts';
+import type { App, Motion } from '../types.ts';
+
+/** What is on the stage at the playback time: the sampler of the motion being watched, and words for it. */
+export interface Stage {
+  sampler: ReadonlySignal<MotionSampler | null>;
+  /** A text alternative for the scene, renewed at most once a second. */
+  description: ReadonlySignal<string>;
+  /** The sampler of any motion: the same one as long as its rows are, so that its paths are followed once. */
+  samplerOf(motion: Motion): MotionSampler;
+}
+
+const DEGREE = Math.PI / 180;
+
+function boardInWords(t: number, at: (name: string) => number): string {
+  const lean = at('alpha') / DEGREE;
+  const heading = at('theta') / DEGREE;
+  return (
+    `Board at ${t.toFixed(1)} s: position ${at('X').toFixed(2)}, ${at('Y').toFixed(2)} m, heading ${heading.toFixed(0)}°, ` +
+    `front plate roll ${(lean + at('alpha_fp') / DEGREE).toFixed(0)}°, back plate roll ${(lean + at('alpha_bp') / DEGREE).toFixed(0)}°.`
+  );
+}
+
+/** Every coordinate by its plain name. */
+function inWords(meta: SystemMeta, t: number, at: (name: string) => number): string {
+  const values = meta.coordinates.map(
+    ({ name, label, kind }) =>
+      `${label} ${(kind === 'angle' ? `${(at(name) / DEGREE).toFixed(0)}°` : `${at(name).toFixed(2)} m`).replace('-', '\u2212')}`,
+  );
+  return `${meta.title} at ${t.toFixed(1)} s: ${values.join('; ')}.`;
+}
+
+export function stageOf(app: App): Stage {
+  const { state } = app;
+  // A motion keeps its sampler when only its marks change, and when it leaves the stage and is kept.
+  const samplers = new WeakMap<Trajectory, MotionSampler>();
+  const samplerOf = ({ system, parameters, trajectory, constraints }: Motion): MotionSampler => {
+    const found = samplers.get(trajectory) ?? new MotionSampler(system, parameters, trajectory, constraints);
+    samplers.set(trajectory, found);
+    return found;
+  };
+  const sampler = computed(() => {
+    const motion = state.motion.value;
+    return motion && samplerOf(motion);
+  });
+  const description = signal('The scene is empty.');
+  const describe = (): void => {
+    const motion = state.motion.peek();
+    const now = sampler.peek();
+    if (!motion || !now || motion.trajectory.length === 0) return;
+    const t = state.time.peek();
+    const at = (name: string): number => now.interpolated(name, t) ?? 0;
+    const text = motion.system.meta.id === 'ripstik' ? boardInWords(t, at) : inWords(motion.system.meta, t, at);
+    if (text !== description.peek()) description.value = text;
+  };
+  setInterval(describe, 1000);
+  return { sampler, description, samplerOf };
+}

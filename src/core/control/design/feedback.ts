@@ -1,0 +1,74 @@
+import { lqrOf } from './scenarioControl.ts';
+import { scheduledFeedbackOf } from './scheduledFeedback.ts';
+import type { Feedback } from '../../mechanics/forcing.ts';
+import type { Scenario } from '../../scenario/types.ts';
+import type { System } from '../../systems/types.ts';
+
+/**
+ * State feedback `u = -K (x - x_ref(t))`, x_ref(t) = (q0 + v0 t, v0): what one input of the controller asks.
+ * Saturation at `limit`; nothing is allocated.
+ */
+export class StateFeedback implements Feedback {
+  private readonly gainQ: Float64Array;
+  private readonly gainV: Float64Array;
+  private readonly q0: Float64Array;
+  private readonly v0: Float64Array;
+  private readonly limit: number;
+
+  /** @param gain the input's row of K, 2n */
+  constructor(gain: ArrayLike<number>, q0: Float64Array, v0: Float64Array, limit: number) {
+    const n = q0.length;
+    this.gainQ = Float64Array.from({ length: n }, (_, i) => gain[i]!);
+    this.gainV = Float64Array.from({ length: n }, (_, i) => gain[n + i]!);
+    this.q0 = q0;
+    this.v0 = v0;
+    this.limit = limit;
+  }
+
+  /** What the gain asks, before saturation. */
+  asked(t: number, q: Float64Array, v: Float64Array): number {
+    const { gainQ, gainV, q0, v0 } = this;
+    let u = 0;
+    for (let i = 0; i < q0.length; i++) {
+      u -= gainQ[i]! * (q[i]! - q0[i]! - v0[i]! * t) + gainV[i]! * (v[i]! - v0[i]!);
+    }
+    return u;
+  }
+
+  value(t: number, q: Float64Array, v: Float64Array): number {
+    return Math.max(-this.limit, Math.min(this.limit, this.asked(t, q, v)));
+  }
+
+  /** Adds du/dq and du/dv times `weight` onto a row of each; at its limit the controller no longer reacts. */
+  addSlopes(
+    t: number,
+    q: Float64Array,
+    v: Float64Array,
+    weight: number,
+    row: number,
+    forceQ: Float64Array,
+    forceV: Float64Array,
+  ): void {
+    if (!(Math.abs(this.asked(t, q, v)) < this.limit)) return;
+    const { gainQ, gainV } = this;
+    for (let i = 0; i < gainQ.length; i++) {
+      forceQ[row + i]! -= weight * gainQ[i]!;
+      forceV[row + i]! -= weight * gainV[i]!;
+    }
+  }
+}
+
+/** The scenario's lqr, by input; null where it has none. @throws ScenarioError where there is no such design */
+export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
+  if (scenario.control?.type !== 'lqr') return null;
+  if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);
+  const { linearization, gain } = lqrOf(scenario, system);
+  const { q, v } = linearization.motion;
+  const limits = scenario.control.limits ?? {};
+  return new Map(
+    linearization.inputs.map((name, k) => [
+      name,
+      new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity)),
+    ]),
+  );
+}

@@ -1,0 +1,239 @@
+import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
+import { ControlError, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
+import { complexText, ON_AXIS, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
+import { lyapunov } from './sylvester.ts';
+
+/**
+ * The continuous-time algebraic Riccati equation `A^T X + X A - X G X + Q = 0`, G = B R^-1 B^T, for its stabilizing
+ * solution: all eigenvalues of A - G X have negative real parts.
+ *
+ * Structure-preserving doubling (E. K.-W. Chu, H.-Y. Fan, W.-W. Lin, "A structure-preserving doubling algorithm for
+ * continuous-time algebraic Riccati equations", Linear Algebra and its Applications 396 (2005), 55-80): a Cayley
+ * transform with gamma > 0, then steps that square the transformed Hamiltonian, so that convergence is quadratic.
+ * Afterwards Newton's method (D. L. Kleinman, "On an iterative technique for Riccati equation computations", IEEE
+ * Trans. Automatic Control 13 (1968), 114-115), in the form that corrects by the residual, down to rounding. Both are done
+ * twice: the first solution gives the coordinates in which the second is well scaled.
+ *
+ * Not guaranteed: small entries of X beside very large ones to full relative precision. The residual says how good it is.
+ */
+export interface RiccatiSolution {
+  X: Matrix;
+  /** R^-1 B^T X, k x d. */
+  gain: Matrix;
+  /**
+   * |A^T X + X A - K^T R K + Q| / (2 |A^T X| + |K^T R K| + |Q|) in Frobenius norms, K the gain; the larger of what it is
+   * in the given coordinates and in those the equation was solved in, where K is R^-1 B^T X without cancellation.
+   */
+  residual: number;
+  closedLoop: Complex[];
+  doublings: number;
+  corrections: number;
+}
+
+const MOST_DOUBLINGS = 60;
+const MOST_CORRECTIONS = 20;
+/** Change of X per doubling, relative, at which quadratic convergence has arrived. */
+const CONVERGED = 1e-15;
+/** A residual above this is no solution; the solver's own is near 1e-16. */
+const ACCEPTED = 1e-10;
+
+/**
+ * @param R diagonal of the input weights, all positive
+ * @throws ControlError where there is no stabilizing solution to be had
+ */
+export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[]): RiccatiSolution {
+  const n = A.rows;
+  // In units where every input costs 1: u = R^-1/2 w.
+  const unit = Matrix.diag(R.map((r) => 1 / Math.sqrt(r)));
+  const F = B.mmul(unit);
+  if (n === 0)
+    return {
+      X: new Matrix(0, 0),
+      gain: new Matrix(B.columns, 0),
+      residual: 0,
+      closedLoop: [],
+      doublings: 0,
+      corrections: 0,
+    };
+  const start = stabilizing(A, F, Q);
+  if (!start) throw new ControlError(unsolvable(plainEigenvalues(A)));
+  const { inverseT, a, f, q } = start;
+  const { Y, corrections, converged } = refine(a, f, q, start.Y);
+  const w = f.transpose().mmul(Y);
+  const closedLoop = plainEigenvalues(Matrix.sub(a, f.mmul(w)));
+  const X = symmetricPart(inverseT.transpose().mmul(Y).mmul(inverseT));
+  const residual = Math.max(careResidual(a, f, q, Y), relativeRemainder(A.transpose().mmul(X), w.mmul(inverseT), Q));
+  // On the axis to rounding is not stable: there the two halves of the Hamiltonian's spectrum meet.
+  const slow = closedLoop.filter(([re]) => !(re < -ON_AXIS * norm(A)));
+  if (slow.length > 0 || !converged || !(residual < ACCEPTED))
+    throw new ControlError(unsolvable(slow.length > 0 ? slow : closedLoop));
+  return { X, gain: unit.mmul(w).mmul(inverseT), residual, closedLoop, doublings: start.steps, corrections };
+}
+
+function unsolvable(near: readonly Complex[]): string {
+  const worst = [...near].sort((a, b) => b[0] - a[0])[0]!;
+  return `the Riccati equation has no stabilizing solution that can be computed: it fails at the mode with eigenvalue ${complexText(worst)}, which the inputs can hardly move or the weights hardly see`;
+}
+
+/** Eigenvalues of X below this share of the largest are raised to it: X may be singular, T may not. */
+const FLOOR = 1e-14;
+
+/** T with T^T X T = I, and its inverse, from the eigenvectors of X. */
+function whitening(X: Matrix): { T: Matrix; inverseT: Matrix } {
+  const { realEigenvalues, eigenvectorMatrix: E } = new EigenvalueDecomposition(symmetricPart(X), {
+    assumeSymmetric: true,
+  });
+  const least = FLOOR * Math.max(...realEigenvalues) || 1;
+  const roots = realEigenvalues.map((x) => Math.sqrt(Math.max(x, least)));
+  return { T: E.mmul(Matrix.diag(roots.map((r) => 1 / r))), inverseT: Matrix.diag(roots).mmul(E.transpose()) };
+}
+
+/** |A^T X + X A - X F F^T X + Q| as a share of its terms, F = B R^-1/2. */
+export function careResidual(A: Matrix, F: Matrix, Q: Matrix, X: Matrix): number {
+  return relativeRemainder(A.transpose().mmul(X), F.transpose().mmul(X), Q);
+}
+
+function relativeRemainder(AtX: Matrix, w: Matrix, Q: Matrix): number {
+  const size = 2 * norm(AtX) + norm(w) ** 2 + norm(Q);
+  return size > 0 ? norm(remainder(AtX, w, Q)) / size : 0;
+}
+
+/** With w = F^T X: the product X F F^T X through w loses less to cancellation than through F F^T. */
+function remainder(AtX: Matrix, w: Matrix, Q: Matrix): Matrix {
+  return Matrix.add(AtX, AtX.transpose()).sub(w.transpose().mmul(w)).add(Q);
+}
+
+/** Paper symbols: A_k, G_k, H_k; H_k tends to X. Null where it does not converge. */
+function doubling(A: Matrix, G: Matrix, H: Matrix): { Y: Matrix; steps: number } | null {
+  const first = bestCayley(A, G, H);
+  if (!first) return null;
+  let { Ak, Gk, Hk } = first;
+  const I = Matrix.eye(A.rows);
+  for (let steps = 1; steps <= MOST_DOUBLINGS; steps++) {
+    const W = Matrix.add(I, Gk.mmul(Hk));
+    const WA = solveLinear(W, Ak);
+    const WG = solveLinear(W, Gk);
+    if (!WA || !WG) return null;
+    const change = symmetricPart(Ak.transpose().mmul(Hk).mmul(WA));
+    Gk = symmetricPart(Matrix.add(Gk, Ak.mmul(WG).mmul(Ak.transpose())));
+    Hk = Matrix.add(Hk, change);
+    Ak = Ak.mmul(WA);
+    if (!Number.isFinite(norm(Hk)) || !Number.isFinite(norm(Gk))) return null;
+    if (norm(change) <= CONVERGED * norm(Hk)) return { Y: Hk, steps };
+  }
+  return null;
+}
+
+/** Shares of |A| tried for gamma. */
+const GAMMAS = Array.from({ length: 7 }, (_, i) => 4 ** (i - 5));
+
+/** The Cayley transform whose matrices to invert are best conditioned (the paper minimizes the same by a line search). */
+function bestCayley(A: Matrix, G: Matrix, H: Matrix): { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null {
+  const size = norm(A) || 1;
+  let best: { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null = null;
+  let least = Infinity;
+  for (const share of GAMMAS) {
+    const tried = cayley(A, G, H, share * size);
+    if (tried && tried.condition < least) {
+      least = tried.condition;
+      best = tried;
+    }
+  }
+  return best;
+}
+
+function cayley(
+  A: Matrix,
+  G: Matrix,
+  H: Matrix,
+  gamma: number,
+): { Ak: Matrix; Gk: Matrix; Hk: Matrix; condition: number } | null {
+  const I = Matrix.eye(A.rows);
+  const shifted = Matrix.sub(A, Matrix.mul(I, gamma));
+  const inverse = solveLinear(shifted, I);
+  if (!inverse) return null;
+  const W = Matrix.add(shifted.transpose(), H.mmul(inverse).mmul(G));
+  const inverseW = solveLinear(W, I);
+  if (!inverseW) return null;
+  return {
+    Ak: Matrix.add(I, Matrix.mul(inverseW.transpose(), 2 * gamma)),
+    Gk: symmetricPart(
+      inverse
+        .mmul(G)
+        .mmul(inverseW)
+        .mul(2 * gamma),
+    ),
+    Hk: symmetricPart(
+      inverseW
+        .mmul(H)
+        .mmul(inverse)
+        .mul(2 * gamma),
+    ),
+    condition: Math.max(norm(shifted) * norm(inverse), norm(W) * norm(inverseW)),
+  };
+}
+
+/** The equation in coordinates x = T z, with a stabilizing Y to start from. */
+interface Scaled {
+  inverseT: Matrix;
+  a: Matrix;
+  f: Matrix;
+  q: Matrix;
+  Y: Matrix;
+  steps: number;
+}
+
+/**
+ * A first solution, and the coordinates where it is the identity: there G and X are of one size in all directions.
+ *
+ * Doubling finds the least solution; where the cost does not see an unstable mode that is not the stabilizing one, and
+ * a solution for a cost that sees everything is the start for Newton's method instead: from any stabilizing start that
+ * converges to the stabilizing solution (Kleinman).
+ */
+function stabilizing(A: Matrix, F: Matrix, Q: Matrix): Scaled | null {
+  const G = F.mmul(F.transpose());
+  const cost = norm(Q) > 0 ? norm(Q) : norm(A) ** 2 / (norm(G) || 1);
+  for (const seen of [Q, Matrix.add(Q, Matrix.eye(A.rows).mul(cost))]) {
+    const rough = doubling(A, G, seen);
+    if (!rough) continue;
+    const { T, inverseT } = whitening(rough.Y);
+    const [a, f, q] = [inverseT.mmul(A).mmul(T), inverseT.mmul(F), symmetricPart(T.transpose().mmul(Q).mmul(T))];
+    const fine = doubling(a, f.mmul(f.transpose()), q);
+    for (const Y of [fine?.Y, symmetricPart(T.transpose().mmul(rough.Y).mmul(T))]) {
+      if (Y && stabilizes(a, f, Y)) return { inverseT, a, f, q, Y, steps: rough.steps + (fine?.steps ?? 0) };
+    }
+  }
+  return null;
+}
+
+function stabilizes(A: Matrix, F: Matrix, Y: Matrix): boolean {
+  return plainEigenvalues(Matrix.sub(A, F.mmul(F.transpose().mmul(Y)))).every(([re]) => re < 0);
+}
+
+/** A last correction above this share of X is no convergence (to a solution on the axis Newton's method halves its distance). */
+const SETTLED = 1e-6;
+
+/** Newton's method from a stabilizing start, until rounding stops it. */
+function refine(
+  A: Matrix,
+  F: Matrix,
+  Q: Matrix,
+  start: Matrix,
+): { Y: Matrix; corrections: number; converged: boolean } {
+  let best = { Y: start, corrections: 0, converged: false };
+  let least = careResidual(A, F, Q, start);
+  let Y = start;
+  for (let corrections = 1; corrections <= MOST_CORRECTIONS; corrections++) {
+    const w = F.transpose().mmul(Y);
+    const change = lyapunov(Matrix.sub(A, F.mmul(w)), remainder(A.transpose().mmul(Y), w, Q));
+    if (!change) return best;
+    Y = symmetricPart(Matrix.add(Y, change));
+    const settled = norm(change) <= SETTLED * norm(Y);
+    const residual = careResidual(A, F, Q, Y);
+    if (settled && best.converged && !(residual < 0.5 * least)) return best;
+    if (settled && residual >= least) return { ...best, converged: true };
+    if (residual < least || !best.converged) best = { Y, corrections, converged: settled };
+    least = residual;
+  }
+  return best;
+}

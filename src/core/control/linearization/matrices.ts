@@ -1,0 +1,120 @@
+import { Matrix, SingularValueDecomposition } from 'ml-matrix';
+import { luFactor, luSolve } from '../../linalg/lu.ts';
+
+/**
+ * What the control code needs of matrices beside ml-matrix: designs are made a few times a second at most, so clear
+ * code that allocates is right here, and nowhere else in `core`.
+ */
+
+/** A design, a point or a weight that can't be had; the message says which and why. */
+export class ControlError extends Error {
+  override name = 'ControlError';
+}
+
+/** A row-major array as a matrix. */
+export function fromRowMajor(data: Float64Array, rows: number, columns: number): Matrix {
+  const A = new Matrix(rows, columns);
+  for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) A.set(r, c, data[r * columns + c]!);
+  return A;
+}
+
+export function toRowMajor(A: Matrix): Float64Array {
+  return Float64Array.from(A.to1DArray());
+}
+
+/** Frobenius norm; 0 of an empty matrix. */
+export function norm(A: Matrix): number {
+  return A.isEmpty() ? 0 : A.norm('frobenius');
+}
+
+export function maxDifference(A: Matrix, B: Matrix): number {
+  return A.isEmpty() ? 0 : Matrix.sub(A, B).abs().max();
+}
+
+/** Columns side by side; either may be empty. */
+export function besides(A: Matrix, B: Matrix): Matrix {
+  const C = new Matrix(A.rows, A.columns + B.columns);
+  if (A.columns > 0) C.setSubMatrix(A, 0, 0);
+  if (B.columns > 0) C.setSubMatrix(B, 0, A.columns);
+  return C;
+}
+
+/** A stack of row blocks. */
+export function stacked(blocks: readonly Matrix[]): Matrix {
+  const C = new Matrix(
+    blocks.reduce((sum, b) => sum + b.rows, 0),
+    blocks[0]!.columns,
+  );
+  let row = 0;
+  for (const block of blocks) {
+    if (block.rows > 0) C.setSubMatrix(block, row, 0);
+    row += block.rows;
+  }
+  return C;
+}
+
+export function columnsOf(A: Matrix, from: number, to: number): Matrix {
+  return to > from && A.rows > 0
+    ? A.subMatrix(0, A.rows - 1, from, to - 1)
+    : new Matrix(A.rows, Math.max(0, to - from));
+}
+
+/** Orthonormal bases of a matrix's column space and of what is orthogonal to it, with the gap that decided. */
+export interface ColumnSpace {
+  /** rows x rank, and rows x (rows - rank). */
+  basis: Matrix;
+  complement: Matrix;
+  /** The smallest singular value that counts and the largest that does not (0 where there is none). */
+  kept: number;
+  dropped: number;
+}
+
+/**
+ * Column space by singular values (Golub and Van Loan, Matrix Computations, 4th ed., section 5.4): those at or below
+ * `threshold` count as zero.
+ */
+export function columnSpace(A: Matrix, threshold: number): ColumnSpace {
+  const m = A.rows;
+  if (m === 0 || A.columns === 0) return { basis: new Matrix(m, 0), complement: Matrix.eye(m), kept: 0, dropped: 0 };
+  // Padded with zero columns, so that the left singular vectors are a full basis.
+  const padded = A.columns < m ? besides(A, Matrix.zeros(m, m - A.columns)) : A;
+  const { leftSingularVectors: U, diagonal } = new SingularValueDecomposition(padded, {
+    computeRightSingularVectors: false,
+    autoTranspose: true,
+  });
+  const values = diagonal.slice(0, Math.min(m, A.columns));
+  const rank = values.filter((s) => s > threshold).length;
+  return {
+    basis: columnsOf(U, 0, rank),
+    complement: columnsOf(U, rank, m),
+    kept: values[rank - 1] ?? 0,
+    dropped: values[rank] ?? 0,
+  };
+}
+
+/** Solves A X = B by LU with partial pivoting; null where A is singular. */
+export function solveLinear(A: Matrix, B: Matrix): Matrix | null {
+  const n = A.rows;
+  if (n === 0) return B.clone();
+  const factors = toRowMajor(A);
+  const pivots = new Int32Array(n);
+  if (!luFactor(factors, n, pivots)) return null;
+  const X = new Matrix(n, B.columns);
+  const column = new Float64Array(n);
+  for (let c = 0; c < B.columns; c++) {
+    for (let r = 0; r < n; r++) column[r] = B.get(r, c);
+    luSolve(factors, n, pivots, column);
+    for (let r = 0; r < n; r++) X.set(r, c, column[r]!);
+  }
+  return X;
+}
+
+/** (A + A^T) / 2. */
+export function symmetricPart(A: Matrix): Matrix {
+  return Matrix.add(A, A.transpose()).mul(0.5);
+}
+
+/** Product of several matrices, left to right. */
+export function product(first: Matrix, ...others: Matrix[]): Matrix {
+  return others.reduce((left, right) => left.mmul(right), first);
+}

@@ -1,0 +1,151 @@
+import { Matrix } from 'ml-matrix';
+import { besides, columnSpace, norm } from './matrices.ts';
+import { distance, eigenvalues, modesOf, ROUNDING, type Complex, type Mode } from './spectrum.ts';
+import { sylvesterLeastSquares } from '../design/sylvester.ts';
+
+/** Where inputs can bring a linear system, and where not. */
+export interface Reachability {
+  /** Orthonormal bases of the reachable subspace V (d x r) and of its orthogonal complement Vp (d x (d - r)). */
+  reachable: Matrix;
+  complement: Matrix;
+  /** New directions found at each stage: by the inputs themselves, by A once, twice … */
+  stages: number[];
+  /**
+   * What decided: the smallest singular value that counted as reach and the largest that did not, both as shares (of
+   * an input's own column at the first stage, of A's norm at the later ones). Far apart is safe.
+   */
+  margin: { kept: number; dropped: number };
+}
+
+/**
+ * The reachable subspace by orthonormal stages, range B, then what A adds to it, and so on: the staircase algorithm
+ * (P. Van Dooren, "The generalized eigenstructure problem in linear system theory", IEEE Trans. Automatic Control 26
+ * (1981), 111-129; C. C. Paige, "Properties of numerical algorithms related to computing controllability", same volume,
+ * 130-138) in the form of a block Arnoldi process. Only orthogonal bases are multiplied, never powers of A; a rank is
+ * decided at each stage by singular values. The size of an input's unit does not matter: columns of B are normalized.
+ *
+ * @param sizes what each column of B would be if nothing cancelled in it (its own size if left out): a column that is
+ * rounding beside that does nothing
+ */
+export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[]): Reachability {
+  const size = norm(A);
+  const stages: number[] = [];
+  const margin = { kept: Infinity, dropped: 0 };
+  let V = new Matrix(A.rows, 0);
+  let complement = Matrix.eye(A.rows);
+  let block = normalizedColumns(B, sizes);
+  let scale = 1;
+  while (complement.columns > 0 && block.columns > 0) {
+    // In coordinates of the complement the new directions are orthogonal to the old ones to rounding.
+    const found = columnSpace(complement.transpose().mmul(block), ROUNDING * scale);
+    if (found.basis.columns > 0) margin.kept = Math.min(margin.kept, found.kept / scale);
+    margin.dropped = Math.max(margin.dropped, found.dropped / (scale || 1));
+    if (found.basis.columns === 0) break;
+    const fresh = complement.mmul(found.basis);
+    stages.push(fresh.columns);
+    V = besides(V, fresh);
+    complement = complement.mmul(found.complement);
+    block = A.mmul(fresh);
+    scale = size;
+  }
+  return { reachable: V, complement, stages, margin };
+}
+
+function normalizedColumns(B: Matrix, sizes?: readonly number[]): Matrix {
+  let all = new Matrix(B.rows, 0);
+  for (let c = 0; c < B.columns; c++) {
+    const column = B.getColumnVector(c);
+    const length = norm(column);
+    if (length > ROUNDING * (sizes?.[c] ?? 0)) all = besides(all, column.div(length));
+  }
+  return all;
+}
+
+/** A in blocks of reachable and other directions, and a complement that moves by itself. */
+export interface ReachableSplit extends Reachability {
+  /** V^T A V, V^T A Vp, Vp^T A Vp and V^T B. */
+  A: Matrix;
+  coupling: Matrix;
+  unreachableA: Matrix;
+  B: Matrix;
+  /** S of least norm with A S - S unreachableA = -coupling: Vp + V S spans the complement. r x (d - r). */
+  S: Matrix;
+  /** W = V^T - S Vp^T: W V = I, and W leaves out what no input reaches. r x d. */
+  W: Matrix;
+  /** Largest entry of A S - S unreachableA + coupling, as a share of A's norm; above rounding no invariant complement exists. */
+  complementResidual: number;
+  /** Norm of the whole A: the scale of rounding in all its blocks. */
+  scale: number;
+}
+
+export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[]): ReachableSplit {
+  const reach = reachableSubspace(A, B, sizes);
+  const [V, Vp] = [reach.reachable, reach.complement];
+  const [Vt, Vpt] = [V.transpose(), Vp.transpose()];
+  const inner = Vt.mmul(A).mmul(V);
+  const coupling = Vt.mmul(A).mmul(Vp);
+  const outer = Vpt.mmul(A).mmul(Vp);
+  const S = sylvesterLeastSquares(inner, outer, Matrix.mul(coupling, -1));
+  const rest = Matrix.add(Matrix.sub(inner.mmul(S), S.mmul(outer)), coupling);
+  return {
+    ...reach,
+    A: inner,
+    coupling,
+    unreachableA: outer,
+    B: Vt.mmul(B),
+    S,
+    W: Matrix.sub(Vt, S.mmul(Vpt)),
+    complementResidual: rest.isEmpty() ? 0 : rest.abs().max() / (norm(A) || 1),
+    scale: norm(A),
+  };
+}
+
+/** Modes that no input reaches, by what moves in them. `toStates`: states x d. */
+export function unreachableModes(split: ReachableSplit, toStates: Matrix, states: readonly string[]): Mode[] {
+  const shapes = Matrix.add(split.complement, split.reachable.mmul(split.S));
+  return modesOf(split.unreachableA, toStates.mmul(shapes), states, split.scale);
+}
+
+/** What one input reaches by itself. */
+export interface InputReach {
+  input: string;
+  dimension: number;
+  /** Eigenvalues of the modes that it reaches, and that it does not. */
+  reached: Complex[];
+  missed: Complex[];
+  margin: { kept: number; dropped: number };
+}
+
+/** Which inputs reach which modes, each input alone. */
+export function reachByInput(A: Matrix, B: Matrix, inputs: readonly string[], sizes?: readonly number[]): InputReach[] {
+  const all = eigenvalues(A);
+  return inputs.map((input, k) => {
+    const { reachable: V, complement: Vp, margin } = reachableSubspace(A, B.getColumnVector(k), sizes && [sizes[k]!]);
+    const missed = Vp.columns > 0 ? eigenvalues(Vp.transpose().mmul(A).mmul(Vp), norm(A)) : [];
+    return { input, dimension: V.columns, reached: without(all, missed), missed, margin };
+  });
+}
+
+/** A list of eigenvalues without the nearest to each of others. */
+function without(all: readonly Complex[], others: readonly Complex[]): Complex[] {
+  const left = [...all];
+  for (const value of others) {
+    let best = 0;
+    left.forEach((x, i) => (best = distance(x, value) < distance(left[best]!, value) ? i : best));
+    left.splice(best, 1);
+  }
+  return left;
+}
+
+/**
+ * Orthonormal basis of what never shows in `C x` of `x' = A x` (the dual of reachability), and of its orthogonal
+ * complement. `sizes` of the rows of C as those of B's columns.
+ */
+export function unobservableSubspace(
+  A: Matrix,
+  C: Matrix,
+  sizes?: readonly number[],
+): { unseen: Matrix; seen: Matrix; margin: Reachability['margin'] } {
+  const { reachable, complement, margin } = reachableSubspace(A.transpose(), C.transpose(), sizes);
+  return { unseen: complement, seen: reachable, margin };
+}

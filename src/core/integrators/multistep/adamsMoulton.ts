@@ -1,0 +1,189 @@
+import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from '../contract.ts';
+import { allFinite, fixedStep, hermite } from '../runge-kutta/explicitFixed.ts';
+import { luFactor, luSolve } from '../../linalg/lu.ts';
+import {
+  Jacobian,
+  PATIENT_ITERATIONS,
+  REUSE_BELOW,
+  SimplifiedNewton,
+  roundingFloor,
+  tightScale,
+  type NewtonOutcome,
+} from '../shared/newton.ts';
+
+/**
+ * The implicit Adams method of one step (Adams-Moulton, k = 1), which is the trapezoidal rule:
+ * y1 = y0 + h/2 (f(t0, y0) + f(t1, y1)), order 2, fixed step.
+ *
+ * Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section III.1 (implicit Adams methods); stability: Hairer and Wanner,
+ * Solving ODEs II, 2nd ed., section IV.3: A-stable with |R(infinity)| = 1. Between steps the cubic Hermite
+ * polynomial, which is here the quadratic that has the slopes of f at both ends, of order 2.
+ *
+ * The equation is solved to relative 1e-14 or to rounding, whatever `rtol` says; no error is estimated.
+ *
+ * Not guaranteed: damping. What is stiff and not resolved rings with a sign that changes at each step and dies out
+ * slowly, and between the steps the polynomial swings h |df/dy| / 8 times as far.
+ */
+
+const MOST_ITERATIONS = 10;
+
+export class AdamsMoulton implements Stepper {
+  t = 0;
+  previousT = 0;
+  readonly y: Float64Array;
+  readonly counters = zeroCounters();
+
+  private readonly problem: OdeProblem;
+  private readonly options: StepperOptions;
+  private readonly n: number;
+  private readonly newton = new SimplifiedNewton(MOST_ITERATIONS);
+  private readonly patientNewton = new SimplifiedNewton(PATIENT_ITERATIONS);
+  private readonly jacobian: Jacobian;
+  /** I - h/2 J, factored, for the step `factoredFor`; 0 if it is not to be used. */
+  private readonly matrix: Float64Array;
+  private readonly pivots: Int32Array;
+  private factoredFor = 0;
+  /** The Jacobian is good enough to be used again. */
+  private known = false;
+  private readonly scale: Float64Array;
+  /** y1 - y0 of the step being tried. */
+  private readonly z: Float64Array;
+  private readonly increment: Float64Array;
+  private readonly yNew: Float64Array;
+  private readonly fStart: Float64Array;
+  private readonly fEnd: Float64Array;
+  private readonly y0: Float64Array;
+  private readonly y1: Float64Array;
+  private readonly f0: Float64Array;
+  private readonly f1: Float64Array;
+  private h = 0;
+  private stepTaken = 0;
+  /** `fStart` is f(t, y). */
+  private fresh = false;
+
+  constructor(problem: OdeProblem, options: StepperOptions) {
+    const n = problem.dimension;
+    const vector = (): Float64Array => new Float64Array(n);
+    this.problem = problem;
+    this.options = options;
+    this.n = n;
+    this.jacobian = new Jacobian(problem, this.counters);
+    this.matrix = new Float64Array(n * n);
+    this.pivots = new Int32Array(n);
+    this.y = vector();
+    this.scale = vector();
+    this.z = vector();
+    this.increment = vector();
+    this.yNew = vector();
+    this.fStart = vector();
+    this.fEnd = vector();
+    this.y0 = vector();
+    this.y1 = vector();
+    this.f0 = vector();
+    this.f1 = vector();
+  }
+
+  reset(t: number, y: Float64Array): void {
+    this.t = this.previousT = t;
+    this.y.set(y);
+    this.y0.set(y);
+    this.y1.set(y);
+    this.stepTaken = 0;
+    this.factoredFor = 0;
+    this.known = false;
+    this.fresh = false;
+    Object.assign(this.counters, zeroCounters());
+  }
+
+  /** The Jacobian stays: it decides how fast Newton's method converges, not to what. */
+  stateChanged(): void {
+    this.fresh = false;
+  }
+
+  step(limit: number): StepFailure | null {
+    const { y } = this;
+    this.h = fixedStep(this.options, limit - this.t);
+    if (!(this.t + this.h > this.t)) return 'step-too-small';
+    if (!this.fresh && !this.f(this.t, y, this.fStart)) return this.problem.failure ?? 'non-finite';
+    if (!allFinite(this.fStart)) return 'non-finite';
+    this.fresh = true;
+    tightScale(y, this.scale);
+    let outcome = this.solve(this.known, this.stepTaken > 0);
+    // Once more with what belongs to this step alone: its own Jacobian, and no guess.
+    if (outcome !== 'converged') outcome = this.solve(false, false);
+    if (outcome === 'slow') return 'newton';
+    if (outcome === 'no-value') return this.problem.failure ?? 'non-finite';
+    for (let i = 0; i < y.length; i++) this.yNew[i] = y[i]! + this.z[i]!;
+    if (!this.f(this.t + this.h, this.yNew, this.fEnd)) return this.problem.failure ?? 'non-finite';
+    if (!allFinite(this.fEnd)) return 'non-finite';
+    this.accept(limit);
+    return null;
+  }
+
+  interpolate(t: number, out: Float64Array): void {
+    const s = this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1;
+    hermite(s, this.stepTaken, this.y0, this.f0, this.y1, this.f1, out);
+  }
+
+  private f(t: number, y: Float64Array, out: Float64Array): boolean {
+    this.counters.evaluations++;
+    return this.problem.derivative(t, y, out);
+  }
+
+  /** `z` by Newton's method, with the Jacobian at hand or a new one, from the last step's increment or from zero. */
+  private solve(reuse: boolean, guess: boolean): NewtonOutcome {
+    if (!reuse) {
+      this.factoredFor = 0;
+      if (!this.jacobian.evaluate(this.t, this.y, this.fStart)) return 'no-value';
+    }
+    if (this.factoredFor !== this.h && !this.factor()) return 'slow';
+    const ratio = guess ? this.h / this.stepTaken : 0;
+    for (let i = 0; i < this.n; i++) this.z[i] = guess ? ratio * (this.y1[i]! - this.y0[i]!) : 0;
+    const newton = guess ? this.newton : this.patientNewton;
+    // No estimate of the rate is carried over: what is left at the end of one iteration is not looked at again.
+    newton.reset();
+    const outcome = newton.solve(this.correct, 1, roundingFloor());
+    this.known = outcome === 'converged' && newton.theta < REUSE_BELOW;
+    return outcome;
+  }
+
+  private factor(): boolean {
+    const { matrix, n, h } = this;
+    const J = this.jacobian.matrix;
+    for (let i = 0; i < n * n; i++) matrix[i] = -0.5 * h * J[i]!;
+    for (let i = 0; i < n; i++) matrix[i * n + i]! += 1;
+    this.counters.factorizations++;
+    this.factoredFor = 0;
+    if (!luFactor(matrix, n, this.pivots)) return false;
+    this.factoredFor = h;
+    return true;
+  }
+
+  private readonly correct = (): number => {
+    const { n, h, z, increment, scale } = this;
+    for (let i = 0; i < n; i++) this.yNew[i] = this.y[i]! + z[i]!;
+    if (!this.f(this.t + h, this.yNew, this.fEnd)) return NaN;
+    for (let i = 0; i < n; i++) increment[i] = 0.5 * h * (this.fStart[i]! + this.fEnd[i]!) - z[i]!;
+    luSolve(this.matrix, n, this.pivots, increment);
+    let sum = 0;
+    for (let i = 0; i < n; i++) {
+      z[i]! += increment[i]!;
+      sum += (increment[i]! / scale[i]!) ** 2;
+    }
+    return Math.sqrt(sum / n);
+  };
+
+  private accept(limit: number): void {
+    const { h } = this;
+    this.previousT = this.t;
+    this.stepTaken = h;
+    this.t = h === limit - this.t ? limit : this.t + h;
+    this.y0.set(this.y);
+    this.y1.set(this.yNew);
+    this.y.set(this.yNew);
+    this.f0.set(this.fStart);
+    this.f1.set(this.fEnd);
+    this.fStart.set(this.fEnd);
+    this.counters.steps++;
+  }
+}

@@ -1,0 +1,49 @@
+import type { System } from '../systems/types.ts';
+import type { ConstrainedSystem } from './constrainedSystem.ts';
+
+/** A function of the state whose downward crossing of zero ends the run. */
+export interface EventFunction {
+  id: 'touchdown' | 'constraint-singular';
+  /** Evaluated at a state; positive before the event. */
+  value(t: number, q: Float64Array, v: Float64Array): number;
+  message(t: number): string;
+  /** Points of each step that are looked at, so that a quick dip is not stepped over; the last is its end. */
+  readonly looks: number;
+}
+
+/** A skate counts as flat when the scaled constraints are this close to dependent (spec, section 2). */
+const SINGULAR_BELOW = 1e-6;
+
+/** The events of a run: under contact constraint sets only, and only those not ignored. */
+export function eventsOf(
+  system: System,
+  dynamics: ConstrainedSystem,
+  actions: Readonly<Record<string, 'stop' | 'ignore'>>,
+): EventFunction[] {
+  if (!dynamics.constraints?.contact) return [];
+  const list: EventFunction[] = [];
+  if (system.clearance && actions['touchdown'] !== 'ignore') {
+    const clearance = system.clearance;
+    list.push({
+      id: 'touchdown',
+      looks: 4,
+      value: (_t, q) => clearance(q, dynamics.parameters),
+      message: (t) => `touchdown: a corner of a plate reached the ground at t = ${t.toFixed(3)} s`,
+    });
+  }
+  if (actions['constraint-singular'] !== 'ignore') {
+    list.push({
+      id: 'constraint-singular',
+      looks: 1,
+      value: (t, q, v) => {
+        dynamics.prepare(t, q, v);
+        // Only the sign counts; the eigenvalue itself is needed near zero alone.
+        const bound = dynamics.independenceBound();
+        return (bound > SINGULAR_BELOW ? bound : dynamics.independence()) - SINGULAR_BELOW;
+      },
+      message: (t) =>
+        `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s (a skate lies flat)`,
+    });
+  }
+  return list;
+}

@@ -1,0 +1,161 @@
+import type { Measure } from '../cases/case.ts';
+import { inputsOf } from '../mechanics/inputs.ts';
+import type { RunCounts, RunEnd } from '../simulation/simulation.ts';
+import type { System, SystemMeta } from '../systems/types.ts';
+
+/**
+ * A number that a sweep keeps of each run. Of a column, over all rows: `end`, `max`, `min`. Else:
+ * `time` when it ended (s), `drift` of energy (as `RunCounts`), `residual`, `steps`, `seconds` of computing,
+ * `work` that the inputs put in (J; what they take out is not given back), `distance` along the path on the ground (m),
+ * `transport`: cost of transport, work / (mass x gravity x distance).
+ */
+export type SweepMeasure =
+  | Extract<Measure, { kind: 'end' | 'max' | 'min' }>
+  | { kind: 'time' | 'drift' | 'residual' | 'steps' | 'seconds' | 'work' | 'distance' | 'transport' };
+
+export type FactKind = Exclude<SweepMeasure['kind'], 'end' | 'max' | 'min'>;
+
+/** Of standard gravity, for systems that name none. */
+const STANDARD_GRAVITY = 9.81;
+
+/** Coordinates of a place on the ground: those called x and y, whatever their case. */
+export function groundCoordinates({ coordinates }: SystemMeta): string[] {
+  return coordinates.filter(({ name, kind }) => kind === 'length' && /^[xy]$/i.test(name)).map(({ name }) => name);
+}
+
+/** Extra columns that the measures need of a run. */
+export function extrasFor(measures: readonly SweepMeasure[]): string[] {
+  const columns = measures.flatMap((m) => ('column' in m ? [m.column] : []));
+  const extras: string[] = [];
+  if (columns.some((c) => /^lambda_/.test(c))) extras.push('lambda');
+  if (columns.includes('energy')) extras.push('energy');
+  if (columns.includes('residual')) extras.push('residual');
+  // What is neither of these nor a state is an input.
+  if (measures.some(({ kind }) => kind === 'work' || kind === 'transport') || columns.some((c) => /^(tau|f)_/.test(c)))
+    extras.push('inputs');
+  return extras;
+}
+
+/** Measures a run chunk by chunk, so that no row is kept. */
+export class RunMeasurer {
+  private readonly measures: readonly SweepMeasure[];
+  private readonly columns: readonly string[];
+  private readonly values: Float64Array;
+  private readonly places: Int32Array;
+  private readonly ground: readonly number[];
+  /** Per recorded input: its column, and the rates it works on with their factors. */
+  private readonly efforts: readonly { column: number; rates: readonly { column: number; factor: number }[] }[];
+  private readonly lastPlace: Float64Array;
+  private readonly weight: number;
+  private lastTime = NaN;
+  private lastPower = 0;
+  private distance = 0;
+  private work = 0;
+
+  /**
+   * @param columns the run's
+   * @param parameters SI, by name
+   * @param q start, for the mass that moves along the ground
+   */
+  constructor(
+    system: System,
+    parameters: Readonly<Record<string, number>>,
+    columns: readonly string[],
+    measures: readonly SweepMeasure[],
+    q: Float64Array,
+  ) {
+    this.measures = measures;
+    this.columns = columns;
+    const at = (name: string): number => columns.indexOf(name);
+    this.places = Int32Array.from(measures, (m) => ('column' in m ? at(m.column) : -1));
+    this.values = Float64Array.from(measures, ({ kind }) =>
+      kind === 'max' ? -Infinity : kind === 'min' ? Infinity : NaN,
+    );
+    const ground = groundCoordinates(system.meta);
+    this.ground = ground.map(at);
+    this.lastPlace = new Float64Array(ground.length);
+    this.efforts = inputsOf(system.meta)
+      .filter(({ name }) => at(name) >= 0)
+      .map(({ name, column }) => ({
+        column: at(name),
+        rates: Object.entries(column).map(([coordinate, factor]) => ({ column: at(`${coordinate}_dot`), factor })),
+      }));
+    this.weight =
+      ground.length > 0 ? movedMass(system, parameters, q) * (parameters['gravity'] ?? STANDARD_GRAVITY) : NaN;
+  }
+
+  /** Takes the next rows, column by column. */
+  take(chunk: readonly Float64Array[], rows: number): void {
+    for (let m = 0; m < this.places.length; m++) {
+      const place = this.places[m]!;
+      if (place >= 0) this.extend(m, chunk[place]!, rows);
+    }
+    for (let row = 0; row < rows; row++) this.move(chunk, row);
+  }
+
+  /** One number a measure; NaN where the run has none. */
+  result(end: RunEnd, counts: RunCounts, seconds: number): number[] {
+    const facts: Record<FactKind, number> = {
+      time: end.time,
+      drift: counts.energyDrift,
+      residual: counts.residual,
+      steps: counts.steps,
+      seconds,
+      work: this.efforts.length > 0 ? this.work : NaN,
+      distance: this.ground.length > 0 ? this.distance : NaN,
+      transport: this.efforts.length > 0 && this.distance > 0 ? this.work / (this.weight * this.distance) : NaN,
+    };
+    return this.measures.map((m, i) => {
+      const value = 'column' in m ? (this.places[i]! < 0 ? NaN : this.values[i]!) : facts[m.kind];
+      return Number.isFinite(value) ? value : NaN;
+    });
+  }
+
+  private extend(m: number, values: Float64Array, rows: number): void {
+    const { kind } = this.measures[m]!;
+    if (rows === 0) return;
+    if (kind === 'end') this.values[m] = values[rows - 1]!;
+    for (let row = 0; row < rows && kind !== 'end'; row++) {
+      const value = values[row]!;
+      if (kind === 'max' ? value > this.values[m]! : value < this.values[m]!) this.values[m] = value;
+    }
+  }
+
+  private move(chunk: readonly Float64Array[], row: number): void {
+    const time = chunk[0]![row]!;
+    const first = Number.isNaN(this.lastTime);
+    let square = 0;
+    for (let k = 0; k < this.ground.length; k++) {
+      const place = chunk[this.ground[k]!]![row]!;
+      const step = first ? 0 : place - this.lastPlace[k]!;
+      square += step * step;
+      this.lastPlace[k] = place;
+    }
+    this.distance += Math.sqrt(square);
+    const power = this.powerAt(chunk, row);
+    if (!first) this.work += 0.5 * (this.lastPower + power) * (time - this.lastTime);
+    this.lastPower = power;
+    this.lastTime = time;
+  }
+
+  /** Power of the inputs that put energy in, W. */
+  private powerAt(chunk: readonly Float64Array[], row: number): number {
+    let sum = 0;
+    for (const { column, rates } of this.efforts) {
+      let rate = 0;
+      for (const r of rates) rate += r.factor * chunk[r.column]![row]!;
+      sum += Math.max(0, chunk[column]![row]! * rate);
+    }
+    return sum;
+  }
+}
+
+/** The mass that a push along the ground meets when nothing turns: the mass matrix's entry of that coordinate, kg. */
+function movedMass({ meta, mechanics }: System, parameters: Readonly<Record<string, number>>, q: Float64Array): number {
+  const n = meta.coordinates.length;
+  const p = Float64Array.from(meta.parameters, (m) => parameters[m.name] ?? m.default);
+  const massMatrix = new Float64Array(n * n);
+  mechanics(q, new Float64Array(n), p, massMatrix, new Float64Array(n));
+  const i = meta.coordinates.findIndex(({ name }) => name === groundCoordinates(meta)[0]);
+  return massMatrix[i * n + i]!;
+}

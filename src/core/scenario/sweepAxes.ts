@@ -1,0 +1,196 @@
+import { inputsOf } from '../mechanics/inputs.ts';
+import type { MethodOptions, Scenario, ScenarioFile } from './types.ts';
+import type { SystemMeta } from '../systems/types.ts';
+
+/** More runs than this are refused: a table of them is no longer read. */
+export const MOST_SWEEP_RUNS = 2000;
+
+/** A number of a scenario that a sweep may vary. Paths joined by `+` take the same value. */
+export interface SweepPath {
+  path: string;
+  group: 'parameters' | 'start' | 'control' | 'method' | 'time';
+  label: string;
+  unit: string;
+  /** Kept in radians, typed and shown in degrees. */
+  angle: boolean;
+  /** What it is now, SI. */
+  present: number;
+}
+
+/** One value of an axis: a number, or a method of its own. */
+export interface SweepValue {
+  /** SI; for a method its place in the list. */
+  value: number;
+  label: string;
+  method?: Partial<MethodOptions>;
+}
+
+export interface SweepAxis {
+  /** As in `SweepPath`, or `method`. */
+  path: string;
+  label: string;
+  unit: string;
+  angle: boolean;
+  values: readonly SweepValue[];
+}
+
+/**
+ * `count` numbers from `from` to `to`, both included.
+ * @throws Error with words for a field
+ */
+export function spaced(from: number, to: number, count: number, scale: 'linear' | 'logarithmic'): number[] {
+  if (!Number.isFinite(from) || !Number.isFinite(to)) throw new Error('from and to must be numbers');
+  if (!Number.isInteger(count) || count < 2 || count > MOST_SWEEP_RUNS)
+    throw new Error(`the number of values must be a whole number from 2 to ${MOST_SWEEP_RUNS}`);
+  if (from === to) throw new Error('from and to must differ');
+  if (scale === 'logarithmic' && !(from * to > 0)) throw new Error('a logarithmic range must not reach zero');
+  const at = (share: number): number => (scale === 'linear' ? from + share * (to - from) : from * (to / from) ** share);
+  return Array.from({ length: count }, (_, i) =>
+    i === 0 ? from : i === count - 1 ? to : Number(at(i / (count - 1)).toPrecision(13)),
+  );
+}
+
+/** The scenario with this value of the axis. */
+export function withAxisValue(file: ScenarioFile, { path }: SweepAxis, { value, method }: SweepValue): ScenarioFile {
+  if (method) return { ...file, method };
+  return path.split('+').reduce((next, part) => withNumber(next, part.split('.'), value), file);
+}
+
+function withNumber<T extends object>(node: T, [key, ...rest]: readonly string[], value: number): T {
+  const inner = (node as Record<string, unknown>)[key!];
+  return { ...node, [key!]: rest.length === 0 ? value : withNumber((inner ?? {}) as object, rest, value) };
+}
+
+/** Everything in a scenario that a sweep may vary and that a run depends on, in the panel's order. */
+export function sweepPaths(meta: SystemMeta, file: ScenarioFile, checked: Scenario): SweepPath[] {
+  return [
+    ...parameterPaths(meta, checked),
+    ...startPaths(meta, file, checked),
+    ...controlPaths(meta, file, checked),
+    ...methodPaths(checked),
+  ];
+}
+
+function parameterPaths(meta: SystemMeta, checked: Scenario): SweepPath[] {
+  return meta.parameters.map(({ name, label, unit, kind }) => ({
+    path: `parameters.${name}`,
+    group: 'parameters',
+    label,
+    unit: kind === 'angle' ? '°' : unit,
+    angle: kind === 'angle',
+    present: checked.parameters[name]!,
+  }));
+}
+
+interface State {
+  name: string;
+  label: string;
+  unit: string;
+  angle: boolean;
+  rest: number;
+}
+
+/** States by name; of first order the rates follow from them. */
+function statesOf({ coordinates, order, speed }: SystemMeta): State[] {
+  const positions = coordinates.map(({ name, label, kind, rest = 0 }) => ({
+    name,
+    label,
+    unit: kind === 'angle' ? '°' : 'm',
+    angle: kind === 'angle',
+    rest,
+  }));
+  const rates =
+    order === 1
+      ? []
+      : positions.map(({ name, label, unit, angle }) => ({
+          name: `${name}_dot`,
+          label: `rate of ${label}`,
+          unit: `${unit}/s`,
+          angle,
+          rest: 0,
+        }));
+  return [
+    ...positions,
+    ...rates,
+    ...(speed ? [{ name: speed.name, label: speed.label, unit: 'm/s', angle: false, rest: 0 }] : []),
+  ];
+}
+
+function startPaths(meta: SystemMeta, file: ScenarioFile, checked: Scenario): SweepPath[] {
+  const speed = meta.speed?.name;
+  const saysSpeed = speed !== undefined && file.initial?.[speed] !== undefined;
+  const [ahead, aside] = meta.speed?.along ?? [];
+  return statesOf(meta)
+    .filter(({ name }) => (saysSpeed ? name !== ahead && name !== aside : name !== speed))
+    .map(({ rest, name, ...state }) => ({
+      ...state,
+      path: `initial.${name}`,
+      group: 'start',
+      present: presentState(meta, checked.initial, name, rest),
+    }));
+}
+
+/** A speed is kept as its velocities. */
+function presentState(meta: SystemMeta, states: Readonly<Record<string, unknown>>, name: string, rest: number): number {
+  if (name === meta.speed?.name) return Math.hypot(...meta.speed.along.map((along) => Number(states[along] ?? 0)));
+  return Number(states[name] ?? rest);
+}
+
+function controlPaths(meta: SystemMeta, file: ScenarioFile, { control }: Scenario): SweepPath[] {
+  if (!control) return [];
+  const path = (name: string, label: string, present: number, unit = '', angle = false): SweepPath => ({
+    path: `control.${name}`,
+    group: 'control',
+    label,
+    unit,
+    angle,
+    present,
+  });
+  if (control.type === 'track')
+    return [path('kp', 'proportional gain', control.kp), path('kd', 'derivative gain', control.kd)];
+  const states = statesOf(meta);
+  const written = file.control?.type === 'lqr' ? file.control : undefined;
+  const named = states.filter(({ name }) => written?.at?.[name] !== undefined);
+  const both = named.filter(({ name }) => file.initial?.[name] !== undefined);
+  const at = (name: string): number => presentState(meta, control.at ?? {}, name, 0);
+  return [
+    ...both.map(({ name, label, unit, angle }): SweepPath => ({
+      path: `initial.${name}+control.at.${name}`,
+      group: 'control',
+      label: `${label}, at the start and the operating point`,
+      unit,
+      angle,
+      present: at(name),
+    })),
+    ...named.map(({ name, label, unit, angle }) =>
+      path(`at.${name}`, `${label} of the operating point`, at(name), unit, angle),
+    ),
+    ...states
+      .filter(({ name }) => name !== meta.speed?.name)
+      .map(({ name, label }) =>
+        path(`Q.${name}`, `weight of ${label}`, Number(control.Q ? (control.Q[name] ?? 0) : 1)),
+      ),
+    ...inputsOf(meta)
+      .filter(({ name }) => control.inputs.includes(name))
+      .map(({ name, label }) => path(`R.${name}`, `weight of ${label}`, Number(control.R?.[name] ?? 1))),
+  ];
+}
+
+function methodPaths({ method, duration, outputStep }: Scenario): SweepPath[] {
+  const path = (name: string, group: 'method' | 'time', label: string, unit: string, present: number): SweepPath => ({
+    path: name,
+    group,
+    label,
+    unit,
+    angle: false,
+    present,
+  });
+  return [
+    path('method.rtol', 'method', 'relative tolerance', '', method.rtol),
+    path('method.atol', 'method', 'absolute tolerance', '', method.atol),
+    path('method.step', 'method', 'step (first step if adaptive)', 's', method.step ?? 0.001),
+    path('method.maxStep', 'method', 'largest step', 's', method.maxStep ?? duration),
+    path('duration', 'time', 'duration', 's', duration),
+    path('outputStep', 'time', 'output step', 's', outputStep),
+  ];
+}

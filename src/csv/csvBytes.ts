@@ -1,0 +1,155 @@
+import { CsvReader, ENOUGH_TO_DECIDE, type CsvOptions, type CsvResult } from './csvReader.ts';
+import { LONGEST_LINE } from './csvText.ts';
+import { DecimalReader } from './decimal.ts';
+
+const [LF, CR, SPACE, QUOTE] = [10, 13, 32, 34] as const;
+/** Bytes by which the encoding is known. */
+const SAMPLE = 65536;
+const NOTHING = new Uint8Array(0);
+
+/**
+ * Reads a CSV file from its bytes, given in pieces. Lines that hold a number in every cell, nearly all of a large file,
+ * go straight into columns; everything else (header, comments, quotes, gaps, mistakes) goes through `CsvReader`, which
+ * also decides what the columns mean. Either way gives the same result.
+ */
+export class CsvByteReader {
+  private readonly reader: CsvReader;
+  private readonly decimal = new DecimalReader();
+  private decoder: TextDecoder | null = null;
+  /** Bytes of a line that is not whole yet. */
+  private rest: Uint8Array = NOTHING;
+  /** Another encoding or lone CRs: all of it goes the long way. */
+  private textOnly = false;
+  private readonly size: number;
+  private taken = 0;
+  private values = new Float64Array(0);
+
+  /** @param size of the whole file in bytes, where it is known: room for its rows is then made at once */
+  constructor(options: CsvOptions, size = 0) {
+    this.reader = new CsvReader(options);
+    this.size = size;
+  }
+
+  /** Rows so far. */
+  get rows(): number {
+    return this.reader.rows;
+  }
+
+  /** Nothing more will be used. */
+  get ended(): boolean {
+    return this.reader.over;
+  }
+
+  push(piece: Uint8Array): void {
+    if (this.reader.over || piece.length === 0) return;
+    this.taken += piece.length;
+    if (this.reader.rows > 0) this.reader.expect((1.02 * this.reader.rows * this.size) / this.taken);
+    if (this.textOnly) return this.reader.push(this.decoder!.decode(piece, { stream: true }));
+    const bytes = this.rest.length > 0 ? joined(this.rest, piece) : piece;
+    if (!this.decoder && bytes.length < SAMPLE) this.rest = bytes.slice();
+    else this.take(bytes);
+  }
+
+  finish(): CsvResult {
+    const { rest } = this;
+    if (!this.decoder) this.take(rest);
+    if (!this.textOnly) this.long(this.rest);
+    this.reader.push(this.decoder!.decode());
+    return this.reader.finish();
+  }
+
+  private take(bytes: Uint8Array): void {
+    if (!this.decoder) {
+      const encoding = encodingOf(bytes);
+      this.decoder = new TextDecoder(encoding);
+      this.textOnly = encoding !== 'utf-8';
+    }
+    this.rest = NOTHING;
+    if (this.textOnly) return this.long(bytes);
+    const end = bytes.lastIndexOf(LF) + 1;
+    this.lines(bytes, end);
+    const rest = bytes.subarray(end);
+    if (this.textOnly || rest.length > LONGEST_LINE) this.long(rest);
+    else this.rest = rest.slice();
+  }
+
+  /** Whole lines: the plain ones here, runs of others by the reader. */
+  private lines(bytes: Uint8Array, end: number): void {
+    for (let at = 0; at < end;) {
+      const next = this.reader.decided ? this.plainLines(bytes, at, end) : at;
+      if (next >= end) return;
+      // Before the columns are known all of it, else the one line that is not plain; a quoted cell may reach over lines.
+      const line = bytes.indexOf(LF, this.reader.decided ? next : Math.min(next + ENOUGH_TO_DECIDE, end - 1)) + 1;
+      this.textOnly = loneReturn(bytes, next, line);
+      at = this.textOnly || includes(bytes, QUOTE, next, line) ? end : line;
+      this.long(bytes.subarray(next, at));
+      if (this.reader.over) return;
+    }
+  }
+
+  private long(bytes: Uint8Array): void {
+    this.reader.push(this.decoder!.decode(bytes, { stream: true }));
+  }
+
+  /** @returns where the first line begins that is not plain, or `end` */
+  private plainLines(bytes: Uint8Array, from: number, end: number): number {
+    const { reader, decimal } = this;
+    const plan = reader.plan();
+    if (!plan) return from;
+    const { separator, width } = plan;
+    if (this.values.length !== width) this.values = new Float64Array(width);
+    const { values } = this;
+    decimal.pointed = false;
+    let start = from;
+    while (start < end) {
+      let i = start;
+      for (let cell = 0; cell < width; cell++) {
+        while (bytes[i] === SPACE) i++;
+        const value = decimal.read(bytes, i, end);
+        if (value !== value) return start;
+        values[cell] = value;
+        i = decimal.at;
+        while (bytes[i] === SPACE) i++;
+        if (cell + 1 < width) {
+          if (bytes[i] !== separator) return start;
+          i++;
+        }
+      }
+      if (bytes[i] === CR) i++;
+      if (bytes[i] !== LF) return start;
+      reader.numbers(values, decimal.pointed);
+      start = i + 1;
+    }
+    return end;
+  }
+}
+
+/** By the byte order mark; text without one is UTF-8, or, where that fails, what Windows writes. */
+function encodingOf(start: Uint8Array): 'utf-8' | 'utf-16le' | 'utf-16be' | 'windows-1252' {
+  if (start[0] === 0xff && start[1] === 0xfe) return 'utf-16le';
+  if (start[0] === 0xfe && start[1] === 0xff) return 'utf-16be';
+  try {
+    // A character may be cut at the end of the sample.
+    new TextDecoder('utf-8', { fatal: true }).decode(start.subarray(0, SAMPLE), { stream: true });
+    return 'utf-8';
+  } catch {
+    return 'windows-1252';
+  }
+}
+
+function joined(a: Uint8Array, b: Uint8Array): Uint8Array {
+  const both = new Uint8Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
+}
+
+function includes(bytes: Uint8Array, byte: number, from: number, to: number): boolean {
+  for (let i = from; i < to; i++) if (bytes[i] === byte) return true;
+  return false;
+}
+
+function loneReturn(bytes: Uint8Array, from: number, to: number): boolean {
+  for (let i = from; i < to; i++) if (bytes[i] === CR && bytes[i + 1] !== LF) return true;
+  return false;
+}

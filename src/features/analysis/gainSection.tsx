@@ -1,0 +1,127 @@
+/** The gain by input and state, its residual, and everything as files for other programs. */
+import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import { exportFormats, type ExportFormat } from '../../core/control/design/exports.ts';
+import type { SystemMeta } from '../../core/systems/types.ts';
+import { Section } from '../../ui/kit/controls.tsx';
+import { formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { text } from '../../ui/words.ts';
+import type { StateName } from './names.ts';
+import { InputHead } from './reachSection.tsx';
+import { StateSymbol } from './stateSymbol.tsx';
+
+const words = text.analysis;
+/** Gains below this share of the largest are rounding. */
+const ROUNDING = 1e-12;
+
+export type SaveText = (name: string, content: string, type: string) => void;
+
+export function GainSection({
+  analysis,
+  names,
+  meta,
+  save,
+}: {
+  analysis: ControlAnalysis;
+  names: ReadonlyMap<string, StateName>;
+  meta: SystemMeta;
+  save: SaveText;
+}) {
+  const write = (format: ExportFormat) =>
+    save(
+      `${analysis.system}-${analysis.K ? 'lqr' : 'linear'}.${format.extension}`,
+      format.write(analysis),
+      format.type,
+    );
+  return (
+    <Section title={words.gain} open>
+      {analysis.K ? (
+        <Gains analysis={analysis} K={analysis.K} names={names} meta={meta} />
+      ) : (
+        <p class="hint">{words.noGain}</p>
+      )}
+      <div class="export-row" role="group" aria-label={words.exports(analysis.K !== null)}>
+        <span>{words.exports(analysis.K !== null)}</span>
+        {exportFormats.map((format) => (
+          <button
+            key={format.id}
+            type="button"
+            data-testid={`analysis-export-${format.id}`}
+            onClick={() => write(format)}
+          >
+            {words.formats[format.id]}
+          </button>
+        ))}
+      </div>
+    </Section>
+  );
+}
+
+function Gains({
+  analysis: { inputs, states, Q, R, careResidual },
+  K,
+  names,
+  meta,
+}: {
+  analysis: ControlAnalysis;
+  K: readonly (readonly number[])[];
+  names: ReadonlyMap<string, StateName>;
+  meta: SystemMeta;
+}) {
+  const largest = Math.max(...K.flat().map(Math.abs));
+  const show = (x: number) => (Math.abs(x) <= ROUNDING * largest ? '0' : formatShort(x, 4));
+  return (
+    <>
+      <p class="hint">{words.gainNote}</p>
+      <div class="table-scroll">
+        <table data-testid="gains">
+          <thead>
+            <tr>
+              <th scope="col">{words.state}</th>
+              <th scope="col">{words.per}</th>
+              {inputs.map((name) => (
+                <InputHead key={name} name={name} meta={meta} unit />
+              ))}
+              <th scope="col">{words.weight}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {states.map((name, i) => {
+              const state = names.get(name);
+              return (
+                <tr key={name}>
+                  <th scope="row" title={state?.label}>
+                    <StateSymbol state={state} name={name} />
+                    <span class="hidden">{state?.label ?? name}</span>
+                  </th>
+                  <td class="hint">{state?.unit}</td>
+                  {K.map((row, k) => (
+                    <td key={inputs[k]} class="number">
+                      {show(row[i]!)}
+                    </td>
+                  ))}
+                  <td class="number">{formatShort(Q?.[i] ?? 0)}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+          <tfoot>
+            <tr>
+              <th scope="row" colSpan={2}>
+                {words.effort}
+              </th>
+              {inputs.map((name, k) => (
+                <td key={name} class="number">
+                  {formatShort(R?.[k] ?? 1)}
+                </td>
+              ))}
+              <td />
+            </tr>
+          </tfoot>
+        </table>
+      </div>
+      <p>
+        {words.care} <b data-testid="care-residual">{formatScientific(careResidual ?? NaN)}</b>
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,178 @@
+/** The operating point: what is named, what moves, and the multipliers that carry it. */
+import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import type { NumberOrExpression } from '../../core/scenario/types.ts';
+import type { SystemView } from '../../core/systems/types.ts';
+import { edit, useUi, type Ui } from '../../ui/context.ts';
+import { Section } from '../../ui/kit/controls.tsx';
+import { formatQuantity, formatShort, THIN } from '../../ui/kit/format.ts';
+import { NumberField } from '../../ui/kit/numberField.tsx';
+import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { text } from '../../ui/words.ts';
+import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+import { pointOf, pointPath, withPoint, type StateName } from './names.ts';
+import { StateSymbol } from './stateSymbol.tsx';
+
+const words = text.analysis;
+
+export function PointSection({
+  analysis,
+  names,
+  system,
+}: {
+  analysis: ControlAnalysis | null;
+  names: ReadonlyMap<string, StateName>;
+  system: SystemView;
+}) {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const at = pointOf(draft);
+  const speed = speedName(system);
+  const shown = [...new Set([speed, ...Object.keys(at)])];
+  const known = [...(system.meta.speed ? [system.meta.speed.name] : []), ...names.keys()];
+  return (
+    <Section title={words.point} open>
+      {shown.map((name) => (
+        <PointField key={`${system.meta.id}.${name}`} name={name} names={names} />
+      ))}
+      <label class="point-add">
+        <span>{words.addState}</span>
+        <select
+          data-testid="point-add"
+          value=""
+          onChange={(event) => {
+            const name = event.currentTarget.value;
+            event.currentTarget.value = '';
+            if (name) setPoint(ui, name, 0);
+          }}
+        >
+          <option value="">{words.choose}</option>
+          {known
+            .filter((name) => !shown.includes(name))
+            .map((name) => (
+              <option key={name} value={name}>
+                {names.get(name)?.label ?? name}
+              </option>
+            ))}
+        </select>
+      </label>
+      <p class="hint">{words.pointNote}</p>
+      {analysis && <Motion analysis={analysis} names={names} system={system} />}
+    </Section>
+  );
+}
+
+/** Where the point is a controller's, the running motion goes on with the new one. */
+function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): void {
+  edit(ui, (now) => withPoint(now, name, value));
+  if (ui.app.state.draft.peek().control?.type === 'lqr') ui.app.actions.retune();
+}
+
+/** How fast it goes: a word of the system's own, or the rate of its first coordinate (itself, in first order). */
+export function speedName(system: SystemView): string {
+  const { coordinates, order, speed } = system.meta;
+  return speed?.name ?? (order === 1 ? coordinates[0]!.name : `${coordinates[0]!.name}_dot`);
+}
+
+function PointField({ name, names }: { name: string; names: ReadonlyMap<string, StateName> }) {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const origin = ui.origin.value?.scenario;
+  const state = names.get(name);
+  const unit = state ? (state.angle ? state.unit.replace('rad', '°') : state.unit) : 'm/s';
+  const spec: NumberSpec = {
+    path: `${pointPath(draft)}.${name}`,
+    label: state?.label ?? name,
+    unit,
+    angle: state?.angle ?? false,
+    optional: true,
+    rest: 0,
+    step: state?.angle ? 1 : 0.1,
+    value: pointOf(draft)[name],
+    base: origin && pointOf(origin)[name],
+    commit: (value) => setPoint(ui, name, value),
+  };
+  return (
+    <NumberField
+      symbol={state?.symbol ?? 'v'}
+      rate={state?.rate}
+      spec={spec}
+      placeholder={words.rest}
+      testId={`point-${name}`}
+    />
+  );
+}
+
+function Motion({
+  analysis: { point },
+  names,
+  system,
+}: {
+  analysis: ControlAnalysis;
+  names: ReadonlyMap<string, StateName>;
+  system: SystemView;
+}) {
+  const { coordinates } = system.meta;
+  const rates = coordinates.flatMap((c, i) =>
+    point.v[i] && names.has(`${c.name}_dot`)
+      ? [{ name: c.name, state: names.get(`${c.name}_dot`)!, value: point.v[i]! }]
+      : [],
+  );
+  const values = coordinates.flatMap((c, i) =>
+    point.q[i] !== 0 ? [{ state: names.get(c.name)!, value: point.q[i]! }] : [],
+  );
+  return (
+    <dl class="point-facts" data-testid="operating-point">
+      <div>
+        <dt>{words.moves}</dt>
+        <dd>
+          {rates.length === 0
+            ? words.nothingMoves
+            : rates.map(({ name, state, value }) => <Fact key={name} state={state} value={value} />)}
+        </dd>
+      </div>
+      {values.length > 0 && (
+        <div>
+          <dt>{words.stands}</dt>
+          <dd>
+            {values.map(({ state, value }) => (
+              <Fact key={state.name} state={state} value={value} />
+            ))}
+          </dd>
+        </div>
+      )}
+      {point.multipliers.length > 0 && (
+        <div>
+          <dt>{text.now.multipliers}</dt>
+          <dd>
+            {point.multipliers.map((value, i) => (
+              <span key={i} class="fact">
+                <MathSymbol of={`λ_${i + 1}`} />
+                <span class="hidden">lambda {i + 1}</span> {formatShort(value, 5)}
+                {role(system, i) && `${THIN}N`} <span class="hint">{role(system, i)}</span>
+              </span>
+            ))}
+          </dd>
+        </div>
+      )}
+    </dl>
+  );
+}
+
+function Fact({ state, value }: { state: StateName; value: number }) {
+  return (
+    <span class="fact" title={state.label}>
+      <StateSymbol state={state} name={state.name} />
+      <span class="hidden">{state.label}</span>{' '}
+      {formatQuantity(value, state.angle ? state.unit.replace('rad', '°') : state.unit)}
+    </span>
+  );
+}
+
+/** `front vertical`, or nothing where the multiplier is no wheel's force. */
+function role(system: SystemView, index: number): string {
+  for (const { part, lateral, vertical } of system.contacts) {
+    if (index === lateral) return `${text.now.part[part]} ${text.now.lateral}`;
+    if (index === vertical) return `${text.now.part[part]} ${text.now.vertical}`;
+  }
+  return '';
+}

@@ -1,0 +1,257 @@
+/** One run less another: every column's numbers, and the curve of one. */
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { download } from '../../app/files/download.ts';
+import { createOverlayPlot, type OverlayPlot } from '../../charts/overlayPlot.ts';
+import { token } from '../../charts/tokens.ts';
+import { axisLabel, columnInfo, type ColumnInfo } from '../../core/motion/columns.ts';
+import { commonTimes, differenceOf, type Difference } from '../../core/motion/difference.ts';
+import { words } from './words.ts';
+import { Check, Section } from '../../ui/kit/controls.tsx';
+import { useUi } from '../../ui/context.ts';
+import { formatFixed, formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { csvText } from './csvText.ts';
+import type { ShownRun } from './shownRuns.ts';
+
+interface Line {
+  info: ColumnInfo;
+  difference: Difference;
+}
+
+type Key = keyof typeof words.headings;
+
+export function Differences({ runs }: { runs: readonly ShownRun[] }) {
+  const first = useSignal('');
+  const second = useSignal('');
+  const turns = useSignal(true);
+  const a = runs.find((r) => r.key === first.value) ?? runs[0]!;
+  const b = runs.find((r) => r.key === second.value && r !== a) ?? runs.find((r) => r !== a)!;
+  const choice = (value: ShownRun, set: (key: string) => void, label: string, testId: string, not?: ShownRun) => (
+    <label>
+      {label}{' '}
+      <select value={value.key} data-testid={testId} onChange={(e) => set(e.currentTarget.value)}>
+        {runs
+          .filter((r) => r !== not)
+          .map((r) => (
+            <option key={r.key} value={r.key}>
+              {r.name}
+            </option>
+          ))}
+      </select>
+    </label>
+  );
+  return (
+    <Section title={words.differences} open>
+      <div class="compare-row">
+        {choice(
+          a,
+          (key) => {
+            first.value = key;
+          },
+          words.first,
+          'difference-first',
+        )}
+        {choice(
+          b,
+          (key) => {
+            second.value = key;
+          },
+          words.reference,
+          'difference-reference',
+          a,
+        )}
+      </div>
+      <Check
+        label={words.wholeTurns}
+        checked={turns.value}
+        testId="difference-turns"
+        onChange={(on) => {
+          turns.value = on;
+        }}
+      />
+      <Table a={a} b={b} turns={turns.value} />
+    </Section>
+  );
+}
+
+/** A column at a time, the page between: long runs take a while. Renewed when rows come, once they rest. */
+function useLines(a: ShownRun, b: ShownRun, turns: boolean): readonly Line[] | null {
+  const {
+    app: { state },
+  } = useUi();
+  const lines = useSignal<readonly Line[] | null>(null);
+  const version = a.motion === state.motion.value || b.motion === state.motion.value ? state.rowsVersion.value : 0;
+  useEffect(() => {
+    let ended = false;
+    const [one, other] = [a.motion.trajectory, b.motion.trajectory];
+    const names = one.columns.filter((name) => name !== 't' && other.has(name));
+    const found: Line[] = [];
+    let times: Float64Array | null = null;
+    const step = (i: number): void => {
+      if (ended) return;
+      if (i === 0) times = commonTimes(one, other);
+      const name = names[i];
+      if (!times || name === undefined) {
+        lines.value = found;
+        return;
+      }
+      const info = columnInfo(a.motion.system.meta, name);
+      const difference = differenceOf(one, other, name, turns && info.angle ? 2 * Math.PI : 0, times);
+      if (difference) found.push({ info, difference });
+      setTimeout(() => step(i + 1));
+    };
+    const timer = setTimeout(() => step(0), version > 0 && lines.peek() ? 150 : 0);
+    return () => {
+      ended = true;
+      clearTimeout(timer);
+    };
+  }, [a.motion.id, b.motion.id, turns, version]);
+  return lines.value;
+}
+
+function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
+  const lines = useLines(a, b, turns);
+  const sort = useSignal<{ key: Key; down: boolean }>({ key: 'name', down: false });
+  const chosen = useSignal('');
+  if (!lines)
+    return (
+      <p class="hint" role="status">
+        {words.working}
+      </p>
+    );
+  if (lines.length === 0) return <p class="hint">{words.noCommon}</p>;
+  const { times } = lines[0]!.difference;
+  const drawn = lines.find((l) => l.info.name === chosen.value) ?? lines[0]!;
+  const { key, down } = sort.value;
+  const valueOf = ({ difference: d }: Line): number =>
+    key === 'final' ? Math.abs(d.final) : key === 'name' ? 0 : d[key];
+  // Numbers of different units are compared as they are recorded, SI.
+  const sorted =
+    key === 'name' && !down
+      ? lines
+      : [...lines].sort((p, q) =>
+          key === 'name' ? lines.indexOf(q) - lines.indexOf(p) : (down ? -1 : 1) * (valueOf(p) - valueOf(q)),
+        );
+  const save = () =>
+    download(
+      'difference.csv',
+      [
+        csvText(
+          ['column', 'rms', 'largest', 'largest_at_s', 'final'],
+          sorted.map(({ info, difference: d }) => [info.name, d.rms, d.max, d.maxTime, d.final]),
+        ),
+      ],
+      'text/csv',
+    );
+  return (
+    <>
+      <p class="hint">{words.overTime(formatFixed(times[0]!, 3), formatFixed(times[times.length - 1]!, 3))}</p>
+      <DifferencePlot key={`${drawn.info.name}`} line={drawn} />
+      <div class="table-scroll">
+        <table data-testid="difference-table">
+          <thead>
+            <tr>
+              {(Object.keys(words.headings) as Key[]).map((k) => (
+                <th key={k} scope="col" aria-sort={k !== key ? 'none' : down ? 'descending' : 'ascending'}>
+                  <button
+                    type="button"
+                    class="link sort"
+                    data-testid={`difference-sort-${k}`}
+                    onClick={() => {
+                      sort.value = { key: k, down: k === key ? !down : k !== 'name' };
+                    }}
+                  >
+                    {words.headings[k]}
+                    <span aria-hidden="true">{k !== key ? '' : down ? ' ↓' : ' ↑'}</span>
+                  </button>
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {sorted.map(({ info, difference: d }) => (
+              <tr
+                key={info.name}
+                data-testid={`difference-${info.name}`}
+                class={drawn.info.name === info.name ? 'chosen' : ''}
+              >
+                <th scope="row">
+                  <button
+                    type="button"
+                    class="link"
+                    aria-pressed={drawn.info.name === info.name}
+                    aria-label={words.showDifference(info.name)}
+                    onClick={() => {
+                      chosen.value = info.name;
+                    }}
+                  >
+                    {info.name}
+                  </button>{' '}
+                  <span class="unit">{info.unit}</span>
+                </th>
+                <td>{number(d.rms * info.factor)}</td>
+                <td>{number(d.max * info.factor)}</td>
+                <td>{formatFixed(d.maxTime, 3)}</td>
+                <td>{number(d.final * info.factor)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <div class="compare-row">
+        <span class="spring" />
+        <button type="button" data-testid="difference-csv" onClick={save}>
+          {words.tableCsv}
+        </button>
+      </div>
+    </>
+  );
+}
+
+const number = (x: number): string =>
+  x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? formatScientific(x, 2) : formatShort(x, 4);
+
+function DifferencePlot({ line }: { line: Line }) {
+  const { app } = useUi();
+  const host = useRef<HTMLDivElement>(null);
+  const plot = useRef<OverlayPlot | null>(null);
+  const { info } = line;
+  useEffect(() => {
+    const made = (plot.current = createOverlayPlot(host.current!, {
+      xLabel: 't [s]',
+      yLabel: `Δ ${axisLabel(info)}`,
+      rising: true,
+      onSeek: (time) => app.actions.seek(time),
+    }));
+    const stops = [
+      app.state.time.subscribe((time) => made.setCursor(time)),
+      app.state.theme.subscribe(() => requestAnimationFrame(() => made.redraw())),
+    ];
+    return () => {
+      for (const stop of stops) stop();
+      made.destroy();
+    };
+  }, []);
+  useEffect(() => {
+    const color = token('--accent');
+    plot.current?.setCurves([
+      {
+        label: info.name,
+        color,
+        x: line.difference.times,
+        y: line.difference.values,
+        xFactor: 1,
+        yFactor: info.factor,
+      },
+    ]);
+  }, [line]);
+  return (
+    <div
+      ref={host}
+      class="overlay-plot low"
+      role="img"
+      aria-label={words.differencePlot(axisLabel(info))}
+      data-testid="difference-plot"
+    />
+  );
+}

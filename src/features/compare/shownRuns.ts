@@ -1,0 +1,32 @@
+import type { App, Motion } from '../../app/types.ts';
+import { CURVES } from '../../app/runs/curveStyles.ts';
+
+/** One run in the plots and tables: the one on the stage, or a kept one. */
+export interface ShownRun {
+  /** Permanent as long as it is shown. */
+  key: string;
+  name: string;
+  motion: Motion;
+  /** Null for the one on the stage, which wears the ink of the page. */
+  style: (typeof CURVES)[number] | null;
+  visible: boolean;
+}
+
+/** Kept runs, after the one on the stage unless it is kept itself. */
+export function shownRuns({ state }: App): ShownRun[] {
+  const motion = state.motion.value;
+  const kept = state.kept.value.map((run): ShownRun => ({
+    key: `kept-${run.id}`,
+    name: run.name,
+    motion: run.motion,
+    style: CURVES[run.style % CURVES.length]!,
+    visible: run.visible,
+  }));
+  if (!motion || kept.some((run) => run.motion.id === motion.id)) return kept;
+  return [{ key: 'stage', name: motion.title, motion, style: null, visible: true }, ...kept];
+}
+
+/** Columns of any of the runs, in the order they are first met. */
+export function columnsOf(runs: readonly ShownRun[]): string[] {
+  return [...new Set(runs.flatMap(({ motion }) => motion.trajectory.columns))];
+}

@@ -1,0 +1,79 @@
+import type { Motion } from '../../app/types.ts';
+import type { InputMeta, SystemMeta } from '../../core/systems/types.ts';
+import { equations } from './words.ts';
+import { useUi } from '../../ui/context.ts';
+import { formatShort, THIN } from '../../ui/kit/format.ts';
+import { sample, useSlowTime } from '../now/nowPanel.tsx';
+import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { useBook } from './context.ts';
+import { Letter } from './formula.tsx';
+
+const words = equations.inputs;
+
+/** The named inputs and their columns of B, which the system's meta holds, and what they are now. */
+export function InputsSection() {
+  const { meta } = useBook().view;
+  const { motion } = useUi().app.state;
+  const time = useSlowTime();
+  if (meta.order === 1) return <p class="hint">{words.none}</p>;
+  return (
+    <>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label={equations.sections.inputs}>
+        <table data-testid="equations-inputs">
+          <thead>
+            <tr>
+              {words.columns.map((title) => (
+                <th key={title} scope="col">
+                  {title}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {meta.inputs.map((input) => (
+              <Row key={input.name} input={input} meta={meta} value={valueOf(input, motion.value, time)} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="hint">{words.raw}</p>
+    </>
+  );
+}
+
+function Row({
+  input: { symbol, label, unit, column },
+  meta,
+  value,
+}: {
+  input: InputMeta;
+  meta: SystemMeta;
+  value: number | null;
+}) {
+  return (
+    <tr>
+      <th scope="row">
+        <MathSymbol of={symbol} />
+      </th>
+      <td class="words">{label}</td>
+      <td class="column">
+        {meta.coordinates
+          .filter(({ name }) => column[name])
+          .map(({ name }) => (
+            <span key={name}>
+              {formatShort(column[name]!)}
+              {THIN}·{THIN}
+              <Letter mark={`Q.${name}`} />
+            </span>
+          ))}
+      </td>
+      <td class="number">{value === null ? '–' : `${formatShort(value)}${THIN}${unit}`}</td>
+    </tr>
+  );
+}
+
+/** Null where the motion does not say; a run's input that its scenario does not use is zero. */
+function valueOf({ name }: InputMeta, motion: Motion | null, time: number): number | null {
+  if (!motion) return null;
+  return motion.trajectory.has(name) ? sample(motion.trajectory, name, time) : motion.scenario ? 0 : null;
+}

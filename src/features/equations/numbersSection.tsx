@@ -1,0 +1,206 @@
+/** M, h, B u and the constraint rows at the time on the stage, named by row and column. */
+import type { ComponentChildren } from 'preact';
+import type { Motion } from '../../app/types.ts';
+import { equations } from './words.ts';
+import { formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { useBook } from './context.ts';
+import { Letter } from './formula.tsx';
+import { titleOfRow } from './meaning.ts';
+import { constraintForce, type Present } from './present.ts';
+import { usePresent } from './usePresent.ts';
+
+const words = equations.table;
+const DIGITS = 4;
+
+export function NumbersSection() {
+  const { view } = useBook();
+  const { present, motion } = usePresent();
+  if (!present || !motion) return <p class="hint">{equations.noMotion}</p>;
+  if (view.meta.order === 1) return <Rate present={present} />;
+  return (
+    <>
+      <MassTable present={present} motion={motion} />
+      <VectorTable present={present} />
+      <OmegaTable present={present} motion={motion} />
+      <p class="hint">{words.unitNote}</p>
+    </>
+  );
+}
+
+function Rate({ present }: { present: Present }) {
+  const { view } = useBook();
+  return (
+    <dl class="energies">
+      {view.meta.coordinates.map(({ name }, i) => (
+        <div key={name}>
+          <dt>
+            <Letter mark={`${name}_dot`} />
+          </dt>
+          <dd>{formatShort(present.rate![i]!, 5)}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+/** A table that scrolls sideways in its box, also by keys. */
+function Scrolling({ title, children }: { title: string; children: ComponentChildren }) {
+  return (
+    <div class="table-scroll matrix" tabIndex={0} role="region" aria-label={title}>
+      {children}
+    </div>
+  );
+}
+
+/** A number of a matrix; a structural zero is quiet. */
+function Entry({ value }: { value: number }) {
+  const zero = Math.abs(value) < 1e-15;
+  return <td class={zero ? 'number zero' : 'number'}>{zero ? '0' : shown(value)}</td>;
+}
+
+const shown = (x: number): string => (Math.abs(x) < 1e-4 ? formatScientific(x, 1) : formatShort(x, DIGITS));
+
+function MassTable({ present: { n, mass, condition }, motion }: { present: Present; motion: Motion }) {
+  const { coordinates } = useBook().view.meta;
+  const hold = motion.scenario?.hold ?? [];
+  return (
+    <>
+      <Scrolling title={words.mass}>
+        <table data-testid="equations-mass">
+          <caption>{words.mass}</caption>
+          <thead>
+            <tr>
+              <th scope="col">
+                <span class="hidden">{words.row}</span>
+              </th>
+              {coordinates.map(({ name, label }) => (
+                <th key={name} scope="col" class="number" aria-label={label}>
+                  <Letter mark={name} />
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {coordinates.map(({ name, label }, i) => (
+              <tr key={name}>
+                <th scope="row" aria-label={label}>
+                  <Letter mark={name} />
+                </th>
+                {coordinates.map((c, j) => (
+                  <Entry key={c.name} value={mass[i * n + j]!} />
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scrolling>
+      <p class="hint" data-testid="equations-condition">
+        {condition === null ? words.indefinite : words.condition(formatShort(condition, 3))}
+      </p>
+      {hold.length > 0 && <p class="hint">{words.held(hold.join(', '))}</p>}
+    </>
+  );
+}
+
+function VectorTable({ present }: { present: Present }) {
+  const { coordinates } = useBook().view.meta;
+  const constraint = constraintForce(present);
+  return (
+    <>
+      <Scrolling title={words.vectors}>
+        <table data-testid="equations-vectors">
+          <caption>{words.vectors}</caption>
+          <thead>
+            <tr>
+              <th scope="col">
+                <span class="hidden">{words.row}</span>
+              </th>
+              <th scope="col" class="number">
+                {words.h}
+              </th>
+              <th scope="col" class="number">
+                {words.inputs}
+              </th>
+              {present.m > 0 && (
+                <th scope="col" class="number">
+                  {words.constraint}
+                </th>
+              )}
+              <th scope="col">{words.unit}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {coordinates.map(({ name, label, kind }, i) => (
+              <tr key={name}>
+                <th scope="row" aria-label={label}>
+                  <Letter mark={name} />
+                </th>
+                <Entry value={present.h[i]!} />
+                {present.inputs ? <Entry value={present.inputs[i]!} /> : <td class="number">–</td>}
+                {present.m > 0 && (constraint ? <Entry value={constraint[i]!} /> : <td class="number">–</td>)}
+                <td class="unit">{kind === 'angle' ? 'N·m' : 'N'}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scrolling>
+      {present.inputs === null && <p class="hint">{words.unknownInputs}</p>}
+    </>
+  );
+}
+
+function OmegaTable({
+  present: { n, m, omega, lambda, slip, computed },
+  motion,
+}: {
+  present: Present;
+  motion: Motion;
+}) {
+  const {
+    typeset,
+    view: {
+      meta: { coordinates },
+    },
+  } = useBook();
+  if (m === 0) return <p class="hint">{words.noConstraints}</p>;
+  return (
+    <>
+      <Scrolling title={words.omega}>
+        <table data-testid="equations-omega">
+          <caption>{words.omega}</caption>
+          <thead>
+            <tr>
+              <th scope="col">{words.row}</th>
+              {coordinates.map(({ name, label }) => (
+                <th key={name} scope="col" class="number" aria-label={label}>
+                  <Letter mark={name} />
+                </th>
+              ))}
+              <th scope="col" class="number">
+                {words.lambda}
+              </th>
+              <th scope="col" class="number">
+                {words.slip}
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {Array.from({ length: m }, (_, r) => (
+              <tr key={r}>
+                <th scope="row">{titleOfRow(typeset, motion.constraints, r)}</th>
+                {coordinates.map(({ name }, i) => (
+                  <Entry key={name} value={omega[r * n + i]!} />
+                ))}
+                <td class="number" data-testid={`equations-lambda-${r + 1}`}>
+                  {lambda ? shown(lambda[r]!) : '–'}
+                </td>
+                <td class="number">{formatScientific(slip[r]!, 0)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scrolling>
+      {computed && <p class="hint">{words.computed}</p>}
+    </>
+  );
+}

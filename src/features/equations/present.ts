@@ -1,0 +1,151 @@
+/** The matrices of a system at one moment of a motion. */
+import type { Motion } from '../../app/types.ts';
+import { inputsOf } from '../../core/mechanics/inputs.ts';
+import { cholesky, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../../core/linalg/dense.ts';
+import type { System } from '../../core/systems/types.ts';
+import { sample } from '../now/nowPanel.tsx';
+
+/** All in SI units and radians; n coordinates, m constraint rows. */
+export interface Present {
+  n: number;
+  m: number;
+  mass: Float64Array;
+  /** Largest over smallest eigenvalue of M, or null where M is not positive definite. */
+  condition: number | null;
+  h: Float64Array;
+  /** B u, or null where the motion does not say what its inputs are. */
+  inputs: Float64Array | null;
+  omega: Float64Array;
+  /** What the constraint rows make of the velocities: zero but for rounding. */
+  slip: Float64Array;
+  /** Null where they can be had neither from the motion nor by computing them. */
+  lambda: Float64Array | null;
+  /** Whether lambda was computed here rather than read from the motion. */
+  computed: boolean;
+  kinetic: number;
+  potential: number;
+  /** f of a system of first order. */
+  rate: Float64Array | null;
+}
+
+/** Null where the motion has no whole state at that time. */
+export function presentOf(system: System, motion: Motion, time: number): Present | null {
+  const { meta } = system;
+  const n = meta.coordinates.length;
+  const q = columnsAt(
+    motion,
+    meta.coordinates.map(({ name }) => name),
+    time,
+  );
+  const v = columnsAt(
+    motion,
+    meta.coordinates.map(({ name }) => `${name}_dot`),
+    time,
+  );
+  if (!q || !v) return null;
+  const p = Float64Array.from(meta.parameters, ({ name, default: value }) => motion.parameters[name] ?? value);
+  const mass = new Float64Array(n * n);
+  const h = new Float64Array(n);
+  const energies = new Float64Array(2);
+  system.mechanics(q, v, p, mass, h);
+  system.energy(q, v, p, energies);
+  const inputs = forcesAt(system, motion, time);
+  const set =
+    motion.constraints === null ? Object.values(system.constraintSets)[0] : system.constraintSets[motion.constraints];
+  const m = set?.rows ?? 0;
+  const omega = new Float64Array(m * n);
+  const gamma = new Float64Array(m);
+  set?.evaluate(q, v, p, omega, gamma);
+  const slip = Float64Array.from({ length: m }, (_, r) =>
+    v.reduce((sum, rate, i) => sum + omega[r * n + i]! * rate, 0),
+  );
+  const recorded = columnsAt(
+    motion,
+    Array.from({ length: m }, (_, r) => `lambda_${r + 1}`),
+    time,
+  );
+  const held = (motion.scenario?.hold.length ?? 0) > 0;
+  const lambda = recorded ?? (inputs && !held && m > 0 ? multipliers(mass, h, inputs, omega, gamma, n, m) : null);
+  const rate = system.firstOrder ? new Float64Array(n) : null;
+  system.firstOrder?.rate(q, p, rate!);
+  return {
+    n,
+    m,
+    mass,
+    condition: conditionOf(mass, n),
+    h,
+    inputs,
+    omega,
+    slip,
+    lambda,
+    computed: recorded === null && lambda !== null,
+    kinetic: energies[0]!,
+    potential: energies[1]!,
+    rate,
+  };
+}
+
+function columnsAt({ trajectory }: Motion, names: readonly string[], time: number): Float64Array | null {
+  const values = names.map((name) => sample(trajectory, name, time));
+  return values.every((x) => x !== null && Number.isFinite(x)) ? Float64Array.from(values as number[]) : null;
+}
+
+/** B u from the recorded inputs; a scenario without any has none. */
+function forcesAt(system: System, motion: Motion, time: number): Float64Array | null {
+  const { meta } = system;
+  const known = inputsOf(meta).filter(({ name }) => motion.trajectory.has(name));
+  if (known.length === 0 && motion.scenario === null) return null;
+  const force = new Float64Array(meta.coordinates.length);
+  for (const { name, column } of known) {
+    const u = sample(motion.trajectory, name, time);
+    if (u === null || !Number.isFinite(u)) return null;
+    meta.coordinates.forEach((c, i) => (force[i]! += (column[c.name] ?? 0) * u));
+  }
+  return force;
+}
+
+function conditionOf(mass: Float64Array, n: number): number | null {
+  const work = mass.slice();
+  symmetricEigenvalues(work, n);
+  const values = Array.from({ length: n }, (_, i) => work[i * n + i]!);
+  const least = Math.min(...values);
+  return least > 0 ? Math.max(...values) / least : null;
+}
+
+/** lambda of `(Omega M^-1 Omega^T) lambda = -gamma - Omega M^-1 (h + B u)`, or null where a factor does not exist. */
+function multipliers(
+  mass: Float64Array,
+  h: Float64Array,
+  inputs: Float64Array,
+  omega: Float64Array,
+  gamma: Float64Array,
+  n: number,
+  m: number,
+): Float64Array | null {
+  const L = mass.slice();
+  if (cholesky(L, n) !== 0) return null;
+  const solved = Array.from({ length: m }, (_, r) => {
+    const row = omega.slice(r * n, (r + 1) * n);
+    solveLower(L, n, row);
+    return row;
+  });
+  const free = h.map((x, i) => x + inputs[i]!);
+  solveLower(L, n, free);
+  const dot = (a: Float64Array, b: Float64Array) => a.reduce((sum, x, i) => sum + x * b[i]!, 0);
+  const S = Float64Array.from({ length: m * m }, (_, k) => dot(solved[Math.floor(k / m)]!, solved[k % m]!));
+  const lambda = Float64Array.from({ length: m }, (_, r) => -gamma[r]! - dot(solved[r]!, free));
+  if (cholesky(S, m, 1e-13) !== 0) return null;
+  solveLower(S, m, lambda);
+  solveLowerTransposed(S, m, lambda);
+  return lambda;
+}
+
+/** Omega^T lambda (n). */
+export function constraintForce({ n, m, omega, lambda }: Present): Float64Array | null {
+  if (m > 0 && lambda === null) return null;
+  return Float64Array.from({ length: n }, (_, i) => {
+    let sum = 0;
+    for (let r = 0; r < m; r++) sum += omega[r * n + i]! * lambda![r]!;
+    return sum;
+  });
+}

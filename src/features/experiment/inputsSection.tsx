@@ -1,0 +1,144 @@
+import type { NumberOrExpression, TrackControl } from '../../core/scenario/types.ts';
+import type { InputMeta } from '../../core/systems/types.ts';
+import { edit, useUi } from '../../ui/context.ts';
+import { Choice, Section } from '../../ui/kit/controls.tsx';
+import { withEntry, withKey } from '../../app/state/draft.ts';
+import { ExpressionField } from '../../ui/kit/expressionField.tsx';
+import { later } from '../../ui/kit/later.tsx';
+import { firstLqr } from './lqrWeights.ts';
+import { NumberField } from '../../ui/kit/numberField.tsx';
+import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { text } from '../../ui/words.ts';
+import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+
+const LqrPanel = later(async () => (await import('./lqrPanel.tsx')).LqrPanel);
+
+export function InputsSection() {
+  const ui = useUi();
+  const system = ui.system.value;
+  const draft = ui.app.state.draft.value;
+  if (!system) return null;
+  const named = new Set(system.meta.inputs.map((input) => input.name));
+  // raw generalized forces are offered only where the scenario has them
+  const raw = Object.keys(draft.inputs ?? {})
+    .filter((name) => !named.has(name))
+    .map((name) => ({ name, symbol: name, label: text.panel.rawForce, unit: text.panel.siUnit }));
+  const inputs: readonly Pick<InputMeta, 'name' | 'symbol' | 'label' | 'unit'>[] = [...system.meta.inputs, ...raw];
+  if (inputs.length === 0) return null;
+  return (
+    <Section title={text.panel.inputs}>
+      {inputs.map((input) => (
+        <ExpressionField
+          key={`${system.meta.id}.${input.name}`}
+          path={`inputs.${input.name}`}
+          symbol={input.symbol}
+          label={input.label}
+          unit={input.unit}
+          testId={`input-${input.name}`}
+          value={draft.inputs?.[input.name]}
+          base={ui.origin.value?.scenario.inputs?.[input.name]}
+          commit={(value) => edit(ui, (now) => withEntry(now, 'inputs', input.name, value))}
+        />
+      ))}
+      <p class="hint">{text.panel.inputsHint}</p>
+    </Section>
+  );
+}
+
+export function ControlSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const control = draft.control;
+  const meta = ui.system.value?.meta;
+  const tracking = meta?.inputs.filter((input) => input.tracks) ?? [];
+  if (!meta || (meta.inputs.length === 0 && !control)) return null;
+  const kinds = [
+    { id: 'none', label: text.panel.controlNone },
+    ...(tracking.length > 0 ? [{ id: 'track', label: text.panel.controlTrack }] : []),
+    { id: 'lqr', label: text.panel.controlLqr },
+  ];
+  const choose = (id: string) => {
+    const saved = ui.origin.value?.scenario.control;
+    const track: TrackControl = saved?.type === 'track' ? saved : { type: 'track', reference: {}, kp: 60, kd: 3 };
+    const chosen = {
+      none: undefined,
+      track,
+      lqr: firstLqr(meta, draft.initial, saved?.type === 'lqr' ? saved : undefined),
+    }[id];
+    edit(ui, (now) => withKey(now, 'control', chosen));
+    ui.app.actions.retune();
+  };
+  return (
+    <Section title={text.panel.control}>
+      <Choice
+        label={text.panel.controlKind}
+        value={control?.type ?? 'none'}
+        options={kinds}
+        error={ui.app.state.draftErrors.value.get('control')}
+        testId="control"
+        onChange={choose}
+      />
+      {control?.type === 'lqr' && <LqrPanel key={meta.id} control={control} />}
+      {control?.type === 'track' && <Track control={control} />}
+    </Section>
+  );
+}
+
+function Track({ control }: { control: TrackControl }) {
+  const ui = useUi();
+  const system = ui.system.value!;
+  const saved = ui.origin.value?.scenario.control;
+  const origin = saved?.type === 'track' ? saved : undefined;
+  const change = (part: Partial<TrackControl>) =>
+    edit(ui, (now) => (now.control?.type === 'track' ? withKey(now, 'control', { ...now.control, ...part }) : now));
+  const refer = (name: string, value: NumberOrExpression | undefined) => {
+    const { [name]: _, ...rest } = control.reference;
+    change({ reference: value === undefined ? rest : { ...rest, [name]: value } });
+  };
+  const gain = (key: 'kp' | 'kd'): NumberSpec => ({
+    path: `control.${key}`,
+    label: text.panel[key],
+    angle: false,
+    numeric: true,
+    min: 0,
+    value: control[key],
+    base: origin?.[key] ?? control[key],
+    rest: 0,
+    step: key === 'kp' ? 1 : 0.1,
+    commit: (value) => change({ [key]: value as number }),
+  });
+  return (
+    <>
+      {system.meta.inputs
+        .filter((input) => input.tracks)
+        .map((input) => (
+          <ExpressionField
+            key={`${system.meta.id}.${input.name}`}
+            path={`control.reference.${input.name}`}
+            symbol={input.symbol}
+            unit={text.panel.reference}
+            label={input.tracks!.join(' + ')}
+            shown={trackedName(input.tracks!, system.meta.coordinates)}
+            value={control.reference[input.name]}
+            base={origin?.reference[input.name]}
+            placeholder="–"
+            testId={`reference-${input.name}`}
+            commit={(value) => refer(input.name, value)}
+          />
+        ))}
+      <NumberField symbol="k_p" spec={gain('kp')} testId="control-kp" />
+      <NumberField symbol="k_d" spec={gain('kd')} testId="control-kd" />
+      <p class="hint">{text.panel.trackHint}</p>
+    </>
+  );
+}
+
+/** `α + α_fp`, typeset. */
+function trackedName(tracks: readonly string[], coordinates: readonly { name: string; symbol: string }[]) {
+  return tracks.map((name, i) => (
+    <>
+      {i > 0 && ' + '}
+      <MathSymbol of={coordinates.find((c) => c.name === name)?.symbol ?? name} />
+    </>
+  ));
+}

@@ -1,0 +1,115 @@
+/** What the weights amount to: eigenvalues in the complex plane, time constants, what no input reaches. */
+import { effect, useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
+import type { Answer } from '../../compute/controlClient.ts';
+import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import { useUi } from '../../ui/context.ts';
+import { formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { text } from '../../ui/words.ts';
+
+const WIDTH = 288;
+const HEIGHT = 150;
+const MARGIN = 10;
+
+export function LqrReadout() {
+  const ui = useUi();
+  const answer = useSignal<Answer<ControlAnalysis> | null>(null);
+  // Not useSignalEffect, which waits for a frame: the design is asked for as the weight moves.
+  useEffect(
+    () =>
+      effect(() => {
+        const draft = ui.app.state.draft.value;
+        if (draft.control?.type !== 'lqr') return;
+        void ui.app.control.analyse(draft, 'panel').then((found) => {
+          if (found) answer.value = found;
+        });
+      }),
+    [],
+  );
+  const now = answer.value;
+  if (!now)
+    return (
+      <p class="hint" data-testid="lqr-readout">
+        {text.lqr.computing}
+      </p>
+    );
+  if (!now.ok)
+    return (
+      <p class="error" role="alert" data-testid="lqr-readout">
+        {now.message}
+      </p>
+    );
+  const { closedLoop, careResidual, reachability, uncontrollable, unseen } = now.value;
+  const slowest = closedLoop?.reduce((a, b) => (b.eigenvalue[0] > a.eigenvalue[0] ? b : a), closedLoop[0]!);
+  const leastDamped = closedLoop?.reduce((a, b) => ((b.damping ?? 1) < (a.damping ?? 1) ? b : a), closedLoop[0]!);
+  const untouched = [...uncontrollable, ...(unseen ?? [])];
+  return (
+    <div class="lqr-readout" data-testid="lqr-readout">
+      <ComplexPlane open={now.value.eigenvalues} closed={now.value.closedLoopEigenvalues ?? []} />
+      <dl class="facts">
+        <dt>{text.lqr.slowest}</dt>
+        <dd>{slowest ? `${formatShort(slowest.timeConstant ?? Infinity, 3)} s` : '–'}</dd>
+        <dt>{text.lqr.damping}</dt>
+        <dd>{leastDamped ? formatShort(leastDamped.damping ?? 1, 3) : '–'}</dd>
+        <dt>{text.lqr.reached}</dt>
+        <dd>{text.lqr.of(reachability.dimension, now.value.eigenvalues.length)}</dd>
+        <dt>{text.lqr.residual}</dt>
+        <dd>{formatScientific(careResidual ?? NaN)}</dd>
+      </dl>
+      {untouched.length > 0 && (
+        <p class="hint">{text.lqr.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
+      )}
+    </div>
+  );
+}
+
+/** Open loop as crosses, closed loop as dots; what is far out stands at the edge. */
+function ComplexPlane({
+  open,
+  closed,
+}: {
+  open: readonly (readonly [number, number])[];
+  closed: readonly (readonly [number, number])[];
+}) {
+  const all = [...open, ...closed].map(([re, im]) => Math.hypot(re, im)).sort((a, b) => a - b);
+  // Half of the modes and the fastest within four times that decide the scale: one very fast mode must not hide the others.
+  const middle = all[Math.floor(all.length * 0.6)] || 1;
+  const reach = niceAbove(Math.min(all.at(-1) || 1, 4 * middle));
+  const x = (re: number) =>
+    MARGIN + ((Math.max(-reach, Math.min(reach, re)) + reach) / (2 * reach)) * (WIDTH - 2 * MARGIN);
+  const y = (im: number) => HEIGHT / 2 - (Math.max(-reach, Math.min(reach, im)) / reach) * (HEIGHT / 2 - MARGIN);
+  return (
+    <svg
+      class="complex-plane"
+      viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+      role="img"
+      aria-label={text.lqr.plane(
+        closed
+          .map(([re, im]) => `${formatShort(re, 3)}${im === 0 ? '' : ` ± ${formatShort(Math.abs(im), 3)} i`}`)
+          .join('; '),
+      )}
+    >
+      <rect x={WIDTH / 2} y="0" width={WIDTH / 2} height={HEIGHT} class="unstable" />
+      <line x1="0" x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} class="axis" />
+      <line x1={WIDTH / 2} x2={WIDTH / 2} y1="0" y2={HEIGHT} class="axis" />
+      <text x={WIDTH - 4} y={HEIGHT / 2 - 4} text-anchor="end">{`Re, ${formatShort(reach, 2)} 1/s`}</text>
+      <text x={WIDTH / 2 + 4} y="11">
+        Im
+      </text>
+      {open.map(([re, im], i) => (
+        <path key={`o${i}`} d={`M${x(re) - 3.5} ${y(im) - 3.5}l7 7m0-7l-7 7`} class="open" />
+      ))}
+      {closed.map(([re, im], i) => (
+        <circle key={`c${i}`} cx={x(re)} cy={y(im)} r="3.2" class="closed" />
+      ))}
+      <text x="4" y={HEIGHT - 5}>
+        {text.lqr.legend}
+      </text>
+    </svg>
+  );
+}
+
+function niceAbove(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 2, 5, 10].map((m) => m * power).find((m) => m >= value)!;
+}

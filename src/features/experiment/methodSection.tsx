@@ -1,0 +1,137 @@
+import { DEFAULTS } from '../../core/scenario/defaults.ts';
+import type { MethodOptions, ScenarioFile } from '../../core/scenario/types.ts';
+import { edit, useUi } from '../../ui/context.ts';
+import { Check, Choice, Section } from '../../ui/kit/controls.tsx';
+import { withKey, withMethod } from '../../app/state/draft.ts';
+import { NumberField } from '../../ui/kit/numberField.tsx';
+import { text } from '../../ui/words.ts';
+import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+
+const methodDefaults = {
+  name: DEFAULTS.method,
+  formulation: DEFAULTS.formulation,
+  rtol: DEFAULTS.rtol,
+  atol: DEFAULTS.atol,
+  projection: true,
+} as const;
+
+/** The method without a formulation, and what its choice then says. */
+const RESIDUAL_METHOD = 'ida';
+const NONE = '';
+
+/** Another method; a formulation goes where it has no meaning. */
+function named(draft: ScenarioFile, id: string): ScenarioFile {
+  const next = withMethod(draft, 'name', id === methodDefaults.name ? undefined : id);
+  return id === RESIDUAL_METHOD ? withMethod(next, 'formulation', undefined) : next;
+}
+
+export function MethodSection() {
+  const ui = useUi();
+  const method: Partial<MethodOptions> = ui.app.state.draft.value.method ?? {};
+  const base = ui.origin.value?.scenario.method;
+  const errors = ui.app.state.draftErrors.value;
+  const name = method.name ?? methodDefaults.name;
+  const residual = name === RESIDUAL_METHOD;
+  const adaptive = ui.methods.find((m) => m.id === name)?.adaptive !== false;
+  const set = <K extends keyof MethodOptions>(key: K, value: MethodOptions[K] | undefined) =>
+    edit(ui, (draft) =>
+      withMethod(draft, key, value === (methodDefaults as Partial<MethodOptions>)[key] ? undefined : value),
+    );
+  const spec = (key: 'rtol' | 'atol' | 'step' | 'maxStep', standard?: number): NumberSpec => ({
+    path: `method.${key}`,
+    label: text.panel[key],
+    angle: false,
+    numeric: true,
+    positive: true,
+    unit: key === 'step' || key === 'maxStep' ? 's' : '',
+    max: key === 'rtol' ? 1 : undefined,
+    optional: true,
+    value: method[key] ?? standard,
+    base: base?.[key] ?? standard,
+    rest: standard,
+    step: standard ? standard : 0.001,
+    commit: (value) => set(key, value as number | undefined),
+  });
+  return (
+    <Section title={text.panel.method}>
+      <Choice
+        label={text.panel.method}
+        value={name}
+        options={ui.methods}
+        error={errors.get('method.name')}
+        testId="method-name"
+        onChange={(id) => edit(ui, (draft) => named(draft, id))}
+      />
+      <Choice
+        label={text.panel.formulation}
+        value={method.formulation ?? (residual ? NONE : methodDefaults.formulation)}
+        options={residual ? [{ id: NONE, label: text.panel.residualAsItIs }] : ui.formulations}
+        disabled={residual && method.formulation === undefined}
+        error={errors.get('method.formulation')}
+        testId="method-formulation"
+        onChange={(id) => set('formulation', id === NONE ? undefined : id)}
+      />
+      {adaptive && <NumberField symbol="rtol" spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />}
+      {adaptive && <NumberField symbol="atol" spec={spec('atol', methodDefaults.atol)} testId="method-atol" />}
+      <NumberField symbol="h" spec={spec('step')} placeholder={text.panel.auto} testId="method-step" />
+      {adaptive && (
+        <NumberField symbol="h_max" spec={spec('maxStep')} placeholder={text.panel.auto} testId="method-maxStep" />
+      )}
+      <Check
+        label={text.panel.projection}
+        checked={method.projection ?? true}
+        testId="method-projection"
+        onChange={(on) => set('projection', on)}
+      />
+    </Section>
+  );
+}
+
+export function TimeSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const system = ui.system.value;
+  const origin = ui.origin.value?.scenario;
+  const spec = (key: 'duration' | 'outputStep'): NumberSpec => ({
+    path: key,
+    label: text.panel[key],
+    unit: 's',
+    angle: false,
+    numeric: true,
+    positive: true,
+    value: draft[key] ?? DEFAULTS[key],
+    base: origin?.[key] ?? DEFAULTS[key],
+    rest: DEFAULTS[key],
+    step: key === 'duration' ? 1 : 0.001,
+    commit: (value) => edit(ui, (now) => withKey(now, key, value === DEFAULTS[key] ? undefined : (value as number))),
+  });
+  const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
+  return (
+    <Section title={text.panel.time} open>
+      <NumberField symbol="T" spec={spec('duration')} testId="duration" />
+      <NumberField symbol="Δt" spec={spec('outputStep')} testId="output-step" />
+      {system && system.contacts.length > 0 && constraints !== 'none' && (
+        <Choice
+          label={text.panel.touchdown}
+          value={draft.events?.['touchdown'] ?? 'stop'}
+          testId="event-touchdown"
+          options={[
+            { id: 'stop', label: text.panel.stop },
+            { id: 'ignore', label: text.panel.ignore },
+          ]}
+          error={ui.app.state.draftErrors.value.get('events.touchdown')}
+          onChange={(id) => edit(ui, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))}
+        />
+      )}
+    </Section>
+  );
+}
+
+function eventsWith(
+  events: Record<string, 'stop' | 'ignore'> | undefined,
+  ignore: boolean,
+): Record<string, 'stop' | 'ignore'> | undefined {
+  const { touchdown: _, ...rest } = events ?? {};
+  const next: Record<string, 'stop' | 'ignore'> = ignore ? { ...rest, touchdown: 'ignore' } : rest;
+  return Object.keys(next).length > 0 ? next : undefined;
+}

@@ -1,0 +1,99 @@
+import { expect, test } from '@playwright/test';
+import {
+  chooseCase,
+  ended,
+  measured,
+  medianOf,
+  openPage,
+  seek,
+  type as typeInto,
+  VIEWPORT,
+} from '../../../tests/browser/helpers.ts';
+
+test.use({ viewport: VIEWPORT });
+
+test('fields read degrees and expressions, refuse nonsense, and show what the start became', async ({ page }) => {
+  await openPage(page);
+  await page.getByTestId('tool-now').click();
+  const field = page.getByTestId('initial-alpha_fp');
+  const plateAngle = page.getByTestId('now-alpha_fp');
+
+  // The first run: nothing named the height, and the board was put on its wheels.
+  await expect(page.getByTestId('solved-Z')).toContainText(/→ 0\.\d+\s*m/);
+
+  // A held rod: the plates start where the field says, whatever that is.
+  let runs = 2;
+  await chooseCase(page, 'hanging');
+  await ended(page, runs, 'end');
+  await expect(page.getByTestId('solved-Z')).toHaveCount(0);
+  await typeInto(page, 'duration', '1');
+  const runAndGoToStart = async () => {
+    await page.getByTestId('run').click();
+    await ended(page, ++runs, 'end');
+    await seek(page, 0);
+  };
+
+  await typeInto(page, 'initial-alpha_fp', 'pi/8');
+  await expect(field).toHaveValue('pi/8');
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('22.50');
+
+  await typeInto(page, 'initial-alpha_fp', '30 deg');
+  await expect(field).toHaveValue('30');
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('30.00');
+
+  // Nonsense stays in its field with its reason; what is in force is the last good value.
+  await typeInto(page, 'initial-alpha_fp', 'pi/(8');
+  await expect(field).toHaveAttribute('aria-invalid', 'true');
+  const error = page.locator(`[id="${await field.getAttribute('aria-describedby')}"]`);
+  await expect(error).toBeVisible();
+  await expect(error).not.toBeEmpty();
+  await expect(page.getByText('1 field is not in force')).toBeVisible();
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('30.00');
+
+  await typeInto(page, 'initial-alpha_fp', '-10');
+  await expect(field).not.toHaveAttribute('aria-invalid', 'true');
+  await expect(error).toHaveCount(0);
+  await runAndGoToStart();
+  await expect(plateAngle).toHaveText('−10.00');
+});
+
+test('Enter in a field runs it: the first frame of the new run comes at once', async ({ page }) => {
+  const watch = await openPage(page);
+  await chooseCase(page, 'released');
+  await ended(page, 2, 'touchdown');
+  const waits = await page.evaluate(async () => {
+    const field = document.querySelector<HTMLInputElement>('[data-testid="initial-alpha"]')!;
+    const { state } = (window as unknown as { ripstikApp: { state: { motion: { value: { id: number } } } } })
+      .ripstikApp;
+    const frame = () => new Promise<number>((done) => requestAnimationFrame(done));
+    const list: number[] = [];
+    for (let k = 1; k <= 9; k++) {
+      const before = state.motion.value.id;
+      field.focus();
+      field.value = `${k / 10}`;
+      field.dispatchEvent(new InputEvent('input', { bubbles: true }));
+      await frame();
+      const from = performance.now();
+      field.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true, cancelable: true }));
+      while (state.motion.value.id === before) await frame();
+      const drawn = window.ripstikScene!.stats().frames;
+      while (window.ripstikScene!.stats().frames === drawn) await frame();
+      list.push(performance.now() - from);
+      for (let i = 0; i < 20; i++) await frame();
+    }
+    return list;
+  });
+  measured(
+    `from Enter to the first frame of the new run: ${waits.map((ms) => ms.toFixed(0)).join(' ')} ms, median ${medianOf(waits).toFixed(0)} ms`,
+  );
+  // What is written is refused: nothing runs.
+  const run = await page.getByTestId('end-time').innerText();
+  await page.getByTestId('duration').fill('2 +');
+  await page.getByTestId('duration').press('Enter');
+  await expect(page.getByTestId('duration')).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.getByTestId('end-time')).toHaveText(run);
+  expect(watch.errors).toEqual([]);
+});

@@ -1,0 +1,68 @@
+import type { ParameterMeta, SystemMeta } from '../../core/systems/types.ts';
+import { edit, useUi } from '../../ui/context.ts';
+import { Choice, Section } from '../../ui/kit/controls.tsx';
+import { parameterDefault, withEntry, withParameterSet } from '../../app/state/draft.ts';
+import { NumberField } from '../../ui/kit/numberField.tsx';
+import { text } from '../../ui/words.ts';
+import { numberOf } from '../../ui/kit/useNumberField.ts';
+import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+
+export function ParametersSection() {
+  const ui = useUi();
+  const meta = ui.system.value?.meta;
+  if (!meta) return null;
+  const draft = ui.app.state.draft.value;
+  const sets = Object.keys(meta.parameterSets);
+  const groups = [...new Set(meta.parameters.map((p) => p.group))];
+  return (
+    <Section title={text.panel.parameters}>
+      {sets.length > 1 && (
+        <Choice
+          label={text.panel.parameterSet}
+          value={draft.parameterSet ?? sets[0]!}
+          options={sets.map((id) => ({ id, label: id }))}
+          testId="parameter-set"
+          error={ui.app.state.draftErrors.value.get('parameterSet')}
+          onChange={(id) => edit(ui, (now) => withParameterSet(now, meta, id === sets[0] ? undefined : id))}
+        />
+      )}
+      {groups.map((group) => (
+        <fieldset key={group} class="group">
+          <legend>{group}</legend>
+          {meta.parameters
+            .filter((p) => p.group === group)
+            .map((p) => (
+              <ParameterField key={`${meta.id}.${p.name}`} meta={meta} parameter={p} />
+            ))}
+        </fieldset>
+      ))}
+    </Section>
+  );
+}
+
+function ParameterField({ meta, parameter: p }: { meta: SystemMeta; parameter: ParameterMeta }) {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const origin = ui.origin.value?.scenario;
+  const standard = parameterDefault(meta, draft.parameterSet ?? Object.keys(meta.parameterSets)[0], p.name);
+  const base =
+    origin?.parameters?.[p.name] ??
+    parameterDefault(meta, origin?.parameterSet ?? Object.keys(meta.parameterSets)[0], p.name);
+  const spec: NumberSpec = {
+    path: `parameters.${p.name}`,
+    label: p.label,
+    unit: p.kind === 'angle' ? '°' : p.unit,
+    angle: p.kind === 'angle',
+    min: p.min,
+    max: p.max,
+    positive: p.positive,
+    value: draft.parameters?.[p.name] ?? standard,
+    base,
+    rest: standard,
+    commit: (value) =>
+      edit(ui, (now) =>
+        withEntry(now, 'parameters', p.name, numberOf(value, standard) === standard ? undefined : value),
+      ),
+  };
+  return <NumberField symbol={p.symbol} spec={spec} testId={`parameter-${p.name}`} note={p.note} />;
+}

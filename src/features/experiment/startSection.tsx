@@ -1,0 +1,138 @@
+/** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
+import { useId } from 'preact/hooks';
+import type { Adjustment } from '../../app/types.ts';
+import type { CoordinateMeta, SystemMeta } from '../../core/systems/types.ts';
+import { edit, useUi } from '../../ui/context.ts';
+import { Section } from '../../ui/kit/controls.tsx';
+import { withEntry } from '../../app/state/draft.ts';
+import { formatQuantity } from '../../ui/kit/format.ts';
+import { FieldError, NumberBox, NumberField } from '../../ui/kit/numberField.tsx';
+import { Chip, MathSymbol } from '../../ui/kit/symbol.tsx';
+import { text } from '../../ui/words.ts';
+import { useNumberField } from '../../ui/kit/useNumberField.ts';
+import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+
+const units = { length: ['m', 'm/s'], angle: ['°', '°/s'] } as const;
+
+export function StartSection() {
+  const ui = useUi();
+  const system = ui.system.value;
+  if (!system) return null;
+  const motion = ui.app.state.motion.value;
+  const adjusted = new Map(
+    motion?.source === 'run' && motion.system === system ? motion.adjustments.map((a) => [a.name, a]) : [],
+  );
+  return (
+    <Section title={text.panel.start} open>
+      {system.meta.speed && <SpeedField key={system.meta.id} speed={system.meta.speed} />}
+      <div class="start-head" aria-hidden="true">
+        <span>{text.panel.value}</span>
+        <span>{text.panel.rate}</span>
+      </div>
+      {system.meta.coordinates.map((c) => (
+        <StartRow
+          key={`${system.meta.id}.${c.name}`}
+          coordinate={c}
+          value={adjusted.get(c.name)}
+          rate={adjusted.get(`${c.name}_dot`)}
+          rated={system.meta.order !== 1}
+        />
+      ))}
+      <p class="hint">{text.panel.startHint}</p>
+    </Section>
+  );
+}
+
+/** One word for the velocities straight ahead: the start may say it instead of them. */
+function SpeedField({ speed: { name, label } }: { speed: NonNullable<SystemMeta['speed']> }) {
+  const ui = useUi();
+  return (
+    <NumberField
+      testId={`initial-${name}`}
+      spec={{
+        path: `initial.${name}`,
+        label,
+        unit: 'm/s',
+        angle: false,
+        optional: true,
+        rest: 0,
+        step: 0.1,
+        value: ui.app.state.draft.value.initial?.[name],
+        base: ui.origin.value?.scenario.initial?.[name],
+        commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+      }}
+      symbol="v"
+    />
+  );
+}
+
+/** @param rated whether the rate can be chosen: of first order it follows from the value */
+function StartRow({
+  coordinate,
+  value,
+  rate,
+  rated,
+}: {
+  coordinate: CoordinateMeta;
+  value: Adjustment | undefined;
+  rate: Adjustment | undefined;
+  rated: boolean;
+}) {
+  const [valueId, rateId] = [useId(), useId()];
+  const valueSpec = useStartSpec(coordinate, 0);
+  const rateSpec = useStartSpec(coordinate, 1);
+  const valueField = useNumberField(valueSpec);
+  const rateField = useNumberField(rateSpec);
+  return (
+    <div class="start-row">
+      <span class="handle" title={text.panel.scrub} {...valueField.scrub}>
+        <Chip part={coordinate.part} />
+        <span class="name">
+          <MathSymbol of={coordinate.symbol} /> {coordinate.label}
+        </span>
+      </span>
+      <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
+      {rated && <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />}
+      <FieldError id={valueId} error={valueField.error} />
+      <FieldError id={rateId} error={rateField.error} />
+      <Solved adjustment={value} unit={valueSpec.unit!} />
+      <Solved adjustment={rate} unit={rateSpec.unit!} rate />
+    </div>
+  );
+}
+
+function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
+  const ui = useUi();
+  const name = order === 0 ? coordinate.name : `${coordinate.name}_dot`;
+  return {
+    path: `initial.${name}`,
+    label: order === 0 ? coordinate.label : `${coordinate.label}, ${text.panel.rate}`,
+    unit: units[coordinate.kind][order],
+    angle: coordinate.kind === 'angle',
+    optional: true,
+    value: ui.app.state.draft.value.initial?.[name],
+    base: ui.origin.value?.scenario.initial?.[name],
+    rest: order === 0 ? (coordinate.rest ?? 0) : 0,
+    step: coordinate.kind === 'angle' ? 1 : order === 0 ? 0.01 : 0.1,
+    commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+  };
+}
+
+/** What the last run started from instead. */
+function Solved({
+  adjustment,
+  unit,
+  rate = false,
+}: {
+  adjustment: Adjustment | undefined;
+  unit: string;
+  rate?: boolean;
+}) {
+  if (!adjustment || adjustment.from === adjustment.to) return null;
+  const why = adjustment.named ? text.panel.moved : text.panel.solved;
+  return (
+    <span class={`solved${rate ? ' rate' : ''}`} data-testid={`solved-${adjustment.name}`}>
+      → {formatQuantity(adjustment.to, unit)} ({why})
+    </span>
+  );
+}

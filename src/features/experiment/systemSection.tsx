@@ -1,0 +1,76 @@
+import { edit, replaceDraft, useUi } from '../../ui/context.ts';
+import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
+import { withKey } from '../../app/state/draft.ts';
+import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { text } from '../../ui/words.ts';
+
+export function SystemSection() {
+  const ui = useUi();
+  const draft = ui.app.state.draft.value;
+  const system = ui.system.value;
+  const errors = ui.app.state.draftErrors.value;
+  const systems = ui.app.systems.map(({ id, title }) => ({ id, label: title }));
+  const choice = (
+    <Choice
+      label={text.panel.system}
+      value={draft.system}
+      options={systems}
+      error={errors.get('system')}
+      testId="system"
+      onChange={(id) => replaceDraft(ui, () => ui.app.actions.chooseSystem(id))}
+    />
+  );
+  if (!system)
+    return (
+      <Section title={text.panel.system} open>
+        {choice}
+      </Section>
+    );
+  const sets = system.meta.constraintSets;
+  const chosen = sets.find((set) => set.id === (draft.constraints ?? sets[0]!.id));
+  const held = draft.hold ?? [];
+  const hold = (name: string) => {
+    const order = system.meta.coordinates.map((c) => c.name).filter((n) => (n === name) !== held.includes(n));
+    edit(ui, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
+  };
+  return (
+    <Section title={text.panel.system} open>
+      {choice}
+      {sets.length > 1 && (
+        <Choice
+          label={text.panel.constraints}
+          value={draft.constraints ?? sets[0]!.id}
+          options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))}
+          error={errors.get('constraints')}
+          testId="constraints"
+          onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))}
+        />
+      )}
+      {sets.length > 1 && chosen?.label.includes(': ') && (
+        <p class="hint sentence">{chosen.label.split(': ').slice(1).join(': ')}</p>
+      )}
+      {system.meta.order !== 1 && (
+        <div class="hold" role="group" aria-label={text.panel.hold}>
+          <span class="hold-label" title={text.panel.holdHint}>
+            {text.panel.hold}
+          </span>
+          <span class="hold-keys">
+            {system.meta.coordinates.map((c) => (
+              <Toggle
+                key={c.name}
+                pressed={held.includes(c.name)}
+                label={c.label}
+                title={c.label}
+                testId={`hold-${c.name}`}
+                onClick={() => hold(c.name)}
+              >
+                <MathSymbol of={c.symbol} />
+              </Toggle>
+            ))}
+          </span>
+          {errors.get('hold') && <span class="error">{errors.get('hold')}</span>}
+        </div>
+      )}
+    </Section>
+  );
+}

@@ -1,0 +1,135 @@
+/** The built-in cases as cards: picture, what to look at, where it comes from. One click runs one. */
+import { useComputed, useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { CaseInfo } from '../../app/types.ts';
+import { text } from './words.ts';
+import { replaceDraft, useUi } from '../../ui/context.ts';
+import { matches, sectionsOf } from './gallerySections.ts';
+import './gallery.css';
+
+export function Gallery({ onClose }: { onClose(): void }) {
+  const ui = useUi();
+  const { app } = ui;
+  const word = useSignal('');
+  const grid = useRef<HTMLDivElement>(null);
+  const search = useRef<HTMLInputElement>(null);
+  // The dialog stood empty until this part was loaded.
+  useEffect(() => search.current?.focus(), []);
+  const titleOf = (c: CaseInfo): string => app.systemOf(c.scenario.system)?.meta.title ?? c.scenario.system;
+  const found = useComputed(() => app.cases.filter((c) => matches(c, word.value.trim(), titleOf(c))));
+  const choose = (id: string) => {
+    onClose();
+    replaceDraft(ui, () => app.actions.loadCase(id));
+  };
+  return (
+    <div
+      class="gallery"
+      onKeyDown={(event) =>
+        moveOverCards(event, [...(grid.current?.querySelectorAll<HTMLButtonElement>('.card') ?? [])])
+      }
+    >
+      <div class="gallery-bar">
+        <input
+          ref={search}
+          type="search"
+          class="gallery-search"
+          aria-label={text.search}
+          placeholder={text.placeholder}
+          data-testid="gallery-search"
+          value={word.value}
+          onInput={(e) => {
+            word.value = e.currentTarget.value;
+          }}
+        />
+        <span class="hint" role="status">
+          {found.value.length > 0 ? text.count(found.value.length) : text.none(word.value)}
+        </span>
+        <span class="hint gallery-keys">{text.keys}</span>
+      </div>
+      <div ref={grid}>
+        {sectionsOf(found.value).map(({ id, cases }) => (
+          <section key={id} aria-label={text.sections[id]} data-testid={`gallery-${id}`}>
+            <h3>{text.sections[id]}</h3>
+            <div class="cards">
+              {cases.map((c) => (
+                <Card
+                  key={c.id}
+                  of={c}
+                  system={titleOf(c)}
+                  current={c.id === ui.origin.value?.id}
+                  theme={app.state.theme.value}
+                  onChoose={() => choose(c.id)}
+                />
+              ))}
+            </div>
+          </section>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+/** Arrows go to the next card that way, Home and End to the first and last; Enter in the search takes the first that is found. */
+function moveOverCards(event: KeyboardEvent, cards: readonly HTMLButtonElement[]): void {
+  const at = cards.indexOf(document.activeElement as HTMLButtonElement);
+  if (at < 0 && event.key === 'Enter') cards[0]?.click();
+  if (at < 0 && event.key !== 'ArrowDown') return;
+  const goal = at < 0 ? cards[0] : nextCard(cards, at, event.key);
+  if (!goal) return;
+  event.preventDefault();
+  goal.focus();
+}
+
+function nextCard(cards: readonly HTMLButtonElement[], at: number, key: string): HTMLButtonElement | undefined {
+  const step = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: cards.length - 1 }[key];
+  if (step !== undefined) return cards[Math.min(Math.max(step, 0), cards.length - 1)];
+  const way = { ArrowDown: 1, ArrowUp: -1 }[key];
+  if (way === undefined) return undefined;
+  // Rows of different sections have different lengths: the nearest card of the next row.
+  const here = cards[at]!.getBoundingClientRect();
+  const beyond = cards
+    .map((card) => ({ card, box: card.getBoundingClientRect() }))
+    .filter(({ box }) => way * (box.top - here.top) > 1);
+  const row = Math.min(...beyond.map(({ box }) => way * box.top));
+  const inRow = beyond.filter(({ box }) => way * box.top < row + 1);
+  return (
+    inRow.sort((a, b) => Math.abs(a.box.left - here.left) - Math.abs(b.box.left - here.left))[0]?.card ?? cards[at]
+  );
+}
+
+function Card({
+  of: c,
+  system,
+  current,
+  theme,
+  onChoose,
+}: {
+  of: CaseInfo;
+  system: string;
+  current: boolean;
+  theme: string;
+  onChoose(): void;
+}) {
+  const from = [c.figure, c.chapter && text.section(c.chapter)].filter(Boolean).join(', ') || c.source;
+  const kind = c.scenario.control?.type;
+  return (
+    <button
+      type="button"
+      class="card"
+      aria-current={current ? 'true' : undefined}
+      data-testid={`case-${c.id}`}
+      onClick={onChoose}
+    >
+      <img src={`cases/${c.id}-${theme}.webp`} width="360" height="225" alt="" loading="lazy" decoding="async" />
+      <span class="card-title">{c.title}</span>
+      <span class="badges">
+        <span class="badge">{system}</span>
+        {kind && <span class="badge strong">{text[kind]}</span>}
+      </span>
+      <span class="card-look">{c.summary}</span>
+      {(from || current) && (
+        <span class="card-from">{[current ? text.now : '', from].filter(Boolean).join(' · ')}</span>
+      )}
+    </button>
+  );
+}

@@ -1,0 +1,277 @@
+/** One scenario, many methods: the report's Table 1, live. */
+import { useComputed, useSignal } from '@preact/signals';
+import type { Signal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Comparison, Outcome } from '../../app/runs/comparison.ts';
+import { methodSets, type MethodChoice, type MethodSet } from '../../core/cases/methodSets.ts';
+import type { MethodOptions } from '../../core/scenario/types.ts';
+import { useUi } from '../../ui/context.ts';
+import { Check } from '../../ui/kit/controls.tsx';
+import { CURVES } from '../../app/runs/curveStyles.ts';
+import { formatCount, formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { text } from '../../ui/words.ts';
+
+export interface MethodsProps {
+  comparison: Comparison;
+  /** Draws the curves of a column into an element; returns how to end it. */
+  plot(
+    host: HTMLElement,
+    comparison: Comparison,
+    column: string,
+    style: (index: number) => (typeof CURVES)[number],
+  ): () => void;
+  saveTable(outcomes: readonly Outcome[]): void;
+  savePicture(host: HTMLElement): void;
+}
+
+export function Methods(props: MethodsProps) {
+  const chosen = useSignal(methodSets[0]!);
+  const choose = (id: string) => {
+    props.comparison.stop();
+    props.comparison.outcomes.value = [];
+    chosen.value = methodSets.find((s) => s.id === id) ?? chosen.value;
+  };
+  return (
+    <div class="scroll methods-tool">
+      <p>
+        <label>
+          {text.methods.set}{' '}
+          <select data-testid="methods-set" value={chosen.value.id} onChange={(e) => choose(e.currentTarget.value)}>
+            {methodSets.map((s) => (
+              <option key={s.id} value={s.id}>
+                {s.label}
+              </option>
+            ))}
+          </select>
+        </label>
+      </p>
+      <SetOfMethods key={chosen.value.id} {...props} set={chosen.value} />
+    </div>
+  );
+}
+
+function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: MethodsProps & { set: MethodSet }) {
+  const ui = useUi();
+  const all = set.choices.filter(
+    ({ method }) =>
+      ui.methods.some((m) => m.id === method.name) &&
+      (method.formulation === undefined || ui.formulations.some((f) => f.id === method.formulation)),
+  );
+  const chosen = useSignal<ReadonlySet<string>>(new Set(set.chosen));
+  const settings = useSignal<ReadonlyMap<string, Partial<MethodOptions>>>(new Map());
+  const { order, coordinates } = ui.app.systemOf(set.scenario?.system ?? ui.app.state.draft.value.system)!.meta;
+  const columns = [...(order === 1 ? [] : ['energy', 'residual']), ...coordinates.map((c) => c.name)];
+  const column = useSignal(columns.includes(set.column) ? set.column : coordinates[0]!.name);
+  const projection = useSignal(true);
+  const problem = useSignal('');
+  const busy = useComputed(() => comparison.busy);
+  const figure = useRef<HTMLDivElement>(null);
+  const start = () => {
+    problem.value = '';
+    try {
+      const contenders = all
+        .filter((c) => chosen.value.has(c.id))
+        .map((c) => ({
+          ...c,
+          method: { ...c.method, ...settings.value.get(c.id), ...(projection.value ? {} : { projection: false }) },
+        }));
+      ui.app.actions.compare(contenders, set.scenario);
+    } catch (error) {
+      problem.value = (error as Error).message;
+    }
+  };
+  const change = (id: string, key: keyof MethodOptions, value: number) => {
+    settings.value = new Map(settings.value).set(id, { ...settings.value.get(id), [key]: value });
+  };
+  return (
+    <div class="methods">
+      <p>
+        {set.scenario
+          ? text.methods.aboutSet(set.label)
+          : text.methods.about(ui.origin.value?.title ?? text.top.ownScenario)}
+      </p>
+      <div class="methods-table">
+        <table data-testid="methods-table">
+          <thead>
+            <tr>
+              {text.methods.columns.map((c) => (
+                <th key={c} scope="col">
+                  {c}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {all.map((choice) => (
+              <Row
+                key={choice.id}
+                choice={choice}
+                outcome={comparison.outcomes.value.find((o) => o.contender.id === choice.id)}
+                index={comparison.outcomes.value.findIndex((o) => o.contender.id === choice.id)}
+                settings={{ ...choice.method, ...settings.value.get(choice.id) }}
+                chosen={chosen}
+                onChange={change}
+              />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {problem.value && (
+        <p class="field-error" role="alert">
+          {problem.value}
+        </p>
+      )}
+      <div class="dialog-buttons">
+        <button
+          type="button"
+          class="primary"
+          data-testid="methods-run"
+          disabled={busy.value || chosen.value.size === 0}
+          onClick={start}
+        >
+          {text.methods.run}
+        </button>
+        <button type="button" data-testid="methods-cancel" disabled={!busy.value} onClick={() => comparison.stop()}>
+          {text.panel.cancel}
+        </button>
+        <label>
+          {text.methods.curve}{' '}
+          <select
+            data-testid="methods-column"
+            value={column.value}
+            onChange={(e) => {
+              column.value = e.currentTarget.value;
+            }}
+          >
+            {columns.map((c) => (
+              <option key={c} value={c}>
+                {c}
+              </option>
+            ))}
+          </select>
+        </label>
+        <Check
+          label={text.methods.projection}
+          checked={projection.value}
+          testId="methods-projection"
+          onChange={(on) => {
+            projection.value = on;
+          }}
+        />
+        <span class="spring" />
+        <button
+          type="button"
+          data-testid="methods-csv"
+          disabled={comparison.outcomes.value.length === 0}
+          onClick={() => saveTable(comparison.outcomes.value)}
+        >
+          {text.methods.csv}
+        </button>
+        <button
+          type="button"
+          data-testid="methods-png"
+          disabled={comparison.outcomes.value.length === 0}
+          onClick={() => savePicture(figure.current!)}
+        >
+          {text.methods.png}
+        </button>
+      </div>
+      <div ref={figure}>
+        <Curves key={column.value} comparison={comparison} column={column.value} plot={plot} />
+      </div>
+    </div>
+  );
+}
+
+function Row({
+  choice,
+  outcome,
+  index,
+  settings,
+  chosen,
+  onChange,
+}: {
+  choice: MethodChoice;
+  outcome: Outcome | undefined;
+  index: number;
+  settings: Partial<MethodOptions>;
+  chosen: Signal<ReadonlySet<string>>;
+  onChange(id: string, key: keyof MethodOptions, value: number): void;
+}) {
+  const toggle = () => {
+    const next = new Set(chosen.value);
+    if (!next.delete(choice.id)) next.add(choice.id);
+    chosen.value = next;
+  };
+  const counts = outcome?.counts;
+  const curve = index >= 0 ? CURVES[index % CURVES.length]! : null;
+  const keys = (['step', 'rtol', 'atol', 'stages'] as const).filter((key) => settings[key] !== undefined);
+  return (
+    <tr data-testid={`method-row-${choice.id}`}>
+      <th scope="row">
+        <label>
+          <input type="checkbox" checked={chosen.value.has(choice.id)} onChange={toggle} /> {choice.label}
+        </label>
+        {curve && (
+          <svg class="swatch" width="22" height="8" aria-hidden="true">
+            <line
+              x1="0"
+              y1="4"
+              x2="22"
+              y2="4"
+              stroke={curve.color}
+              stroke-width="2.5"
+              stroke-dasharray={curve.dash?.join(' ')}
+            />
+          </svg>
+        )}
+      </th>
+      <td class="settings">
+        {keys.map((key) => (
+          <label key={key}>
+            {key}{' '}
+            <input
+              type="text"
+              inputMode="decimal"
+              value={short(settings[key]!)}
+              aria-label={`${choice.label}, ${key}`}
+              onChange={(event) => {
+                const value = Number(event.currentTarget.value);
+                if (value > 0 && value < Infinity) onChange(choice.id, key, value);
+                else event.currentTarget.value = short(settings[key]!);
+              }}
+            />
+          </label>
+        ))}
+      </td>
+      <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
+      <td>{outcome ? formatShort(outcome.reached, 4) : '–'}</td>
+      <td>{counts ? formatCount(counts.steps) : '–'}</td>
+      <td>{counts ? formatCount(counts.rejected) : '–'}</td>
+      <td>{counts ? formatCount(counts.evaluations) : '–'}</td>
+      <td>{counts ? formatCount(counts.jacobians) : '–'}</td>
+      <td>{counts ? formatScientific(counts.energyDrift) : '–'}</td>
+      <td>{counts ? formatScientific(counts.residual, 0) : '–'}</td>
+      <td class="why" title={outcome?.message}>
+        {outcome ? standing(outcome) : ''}
+      </td>
+      <td class="report">{choice.report ? text.methods.report(choice.report.seconds, choice.report.reached) : ''}</td>
+    </tr>
+  );
+}
+
+/** `1e-6` rather than `0.000001`. */
+const short = (x: number): string => (x < 1e-3 ? x.toExponential().replace('.0e', 'e') : String(x));
+
+function standing(outcome: Outcome): string {
+  if (outcome.state === 'ended') return text.status.reasons[outcome.reason] ?? outcome.reason;
+  return outcome.state === 'refused' ? outcome.message : text.methods.states[outcome.state];
+}
+
+function Curves({ comparison, column, plot }: { comparison: Comparison; column: string; plot: MethodsProps['plot'] }) {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => plot(host.current!, comparison, column, (i) => CURVES[i % CURVES.length]!), [column]);
+  return (
+    <div ref={host} class="methods-plot" data-testid="methods-plot" role="img" aria-label={text.methods.plot(column)} />
+  );
+}

@@ -1,0 +1,115 @@
+/** Curves of the motion on the stage: any column over time or over another, one time for scene and plots. */
+import { useSignal } from '@preact/signals';
+import { useLayoutEffect, useMemo } from 'preact/hooks';
+import type { Motion, PlotPane } from '../../app/types.ts';
+import { text } from './words.ts';
+import { useUi } from '../../ui/context.ts';
+import { Check } from '../../ui/kit/controls.tsx';
+import { useDeferred, useLagging } from '../../ui/kit/deferred.ts';
+import { columnsOf, Values, type ColumnInfo } from './columns.ts';
+import { PaneView } from './paneView.tsx';
+import { keyOf, panesOf, suggested } from './panes.ts';
+import './plots.css';
+
+export function PlotsTool() {
+  const { state } = useUi().app;
+  const motion = useDeferred(state.motion);
+  if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{text.empty}</p>;
+  return <Plots motion={motion} />;
+}
+
+function Plots({ motion }: { motion: Motion }) {
+  const { state } = useUi().app;
+  const caseId = state.origin.value.id;
+  const plots = state.plots.value;
+  const panes = panesOf(motion, caseId, plots);
+  const range = useSignal<readonly [number, number] | null>(null);
+  const values = useValues(motion);
+  useLayoutEffect(() => void (range.value = null), [motion.id]);
+  const listed = JSON.stringify(columnsOf(motion));
+  const columns = useMemo(() => JSON.parse(listed) as ColumnInfo[], [listed]);
+  const choices = useLagging(columns);
+  const own = plots.own?.key === keyOf(motion, caseId);
+  const change = (next: readonly PlotPane[]) => {
+    state.plots.value = { ...plots, own: { key: keyOf(motion, caseId), panes: next } };
+  };
+  const edit = (i: number, pane: PlotPane | null) =>
+    change(pane ? panes.map((p, k) => (k === i ? pane : p)) : panes.filter((_, k) => k !== i));
+  const add = () => change([...panes, { title: text.newPane, x: 't', y: [columns[1]?.name ?? 't'] }]);
+  return (
+    <div class="scroll plots" data-testid="plots">
+      <div class="plots-bar">
+        <button type="button" data-testid="plots-add" onClick={add}>
+          {text.add}
+        </button>
+        <button
+          type="button"
+          data-testid="plots-case"
+          disabled={!own}
+          onClick={() => {
+            state.plots.value = { ...plots, own: null };
+          }}
+        >
+          {text.ofCase}
+        </button>
+        <button
+          type="button"
+          data-testid="plots-whole"
+          disabled={range.value === null}
+          onClick={() => {
+            range.value = null;
+          }}
+        >
+          {text.whole}
+        </button>
+        <span class="spring" />
+        <Check
+          label={text.degrees}
+          testId="plots-degrees"
+          checked={plots.degrees}
+          onChange={(degrees) => {
+            state.plots.value = { ...state.plots.peek(), degrees };
+          }}
+        />
+        <Check
+          label={text.wrapped}
+          testId="plots-wrapped"
+          checked={plots.wrapped}
+          onChange={(wrapped) => {
+            state.plots.value = { ...state.plots.peek(), wrapped };
+          }}
+        />
+      </div>
+      {panes.map((pane, i) => (
+        <PaneView
+          key={i}
+          pane={pane}
+          motion={motion}
+          columns={columns}
+          choices={choices}
+          values={values}
+          range={range}
+          first={i === 0}
+          onChange={(next) => edit(i, next)}
+          onUp={() => change([...panes.slice(0, i - 1), pane, panes[i - 1]!, ...panes.slice(i + 1)])}
+        />
+      ))}
+      {own && panes.length === 0 && (
+        <p class="hint">{suggested(motion, caseId).length > 0 ? text.ofCase : text.empty}</p>
+      )}
+    </div>
+  );
+}
+
+/** Values by column, kept while the motion is the same. */
+function useValues(motion: Motion): (name: string) => Values {
+  const { state } = useUi().app;
+  const kept = useMemo(() => new Map<string, Values>(), [motion.id]);
+  return (name) => {
+    const { wrapped } = state.plots.peek();
+    const key = `${name} ${wrapped}`;
+    let found = kept.get(key);
+    if (!found) kept.set(key, (found = new Values(motion, name, wrapped)));
+    return found;
+  };
+}

@@ -1,0 +1,92 @@
+/** Copies a link to what is in the panel; on a phone it is handed to the system's own sheet. */
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { shareText as text } from '../../app/words.ts';
+import { useUi } from '../../ui/context.ts';
+import { Icon } from '../../ui/kit/controls.tsx';
+import { Dialog } from '../../ui/kit/dialogs.tsx';
+
+const load = () => import('../../app/persistence/links.ts');
+/** What fails here is told when it is pressed. */
+const foresee = () => void load().catch(() => {});
+
+export function ShareButton() {
+  const { app } = useUi();
+  const shown = useSignal<string | null>(null);
+  const share = async () => {
+    let fragment: string;
+    try {
+      fragment = (await load()).linkOf(app);
+    } catch (error) {
+      app.actions.report('warning', text.notShared, [(error as Error).message]);
+      return;
+    }
+    const link = `${location.origin}${location.pathname}#${fragment}`;
+    if (await handedOver(app.state.origin.peek().title, link)) return;
+    try {
+      await navigator.clipboard.writeText(link);
+      app.actions.report('info', text.copied, [text.copiedHint(link.length)]);
+    } catch {
+      shown.value = link; // no clipboard, or not allowed: the person copies it
+    }
+  };
+  return (
+    <>
+      {/* the code is there before the press, so that the browser still sees the copy as the person's doing */}
+      <button
+        type="button"
+        class="quiet"
+        data-testid="share"
+        aria-label={text.share}
+        title={text.shareTitle}
+        onPointerEnter={foresee}
+        onFocus={foresee}
+        onClick={() => void share()}
+      >
+        <Icon name="share" />
+        <span class="word">{text.share}</span>
+      </button>
+      {shown.value !== null && (
+        <LinkDialog
+          link={shown.value}
+          onClose={() => {
+            shown.value = null;
+          }}
+        />
+      )}
+    </>
+  );
+}
+
+/** Whether the phone's own sheet took it; giving it up there is an answer too. */
+async function handedOver(title: string, url: string): Promise<boolean> {
+  if (!('share' in navigator) || !matchMedia('(pointer: coarse)').matches) return false;
+  try {
+    await navigator.share({ title, url });
+    return true;
+  } catch (error) {
+    return (error as Error).name === 'AbortError';
+  }
+}
+
+function LinkDialog({ link, onClose }: { link: string; onClose(): void }) {
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => {
+    field.current?.focus();
+    field.current?.select();
+  }, []);
+  return (
+    <Dialog title={text.dialog} testId="share-dialog" onClose={onClose}>
+      <p class="hint">{text.copyHint}</p>
+      <input
+        ref={field}
+        class="link-field"
+        readOnly
+        value={link}
+        aria-label={text.field}
+        data-testid="share-link"
+        onFocus={(event) => event.currentTarget.select()}
+      />
+    </Dialog>
+  );
+}

@@ -1,0 +1,47 @@
+/** The first minute of a first visit: loaded when there is something to offer, never again after it was taken or put away. */
+import { useComputed, useSignal, type Signal } from '@preact/signals';
+import type { ComponentType, ComponentProps } from 'preact';
+import { useEffect } from 'preact/hooks';
+import { browserShelf } from '../../app/persistence/browserStorage.ts';
+import { useUi } from '../../ui/context.ts';
+import type { WelcomeView } from './offer.tsx';
+
+const SEEN = 'tour';
+
+/** Who comes by a link or with a file came for that. */
+const firstVisit = (): boolean =>
+  location.hash === '' &&
+  location.search === '' &&
+  browserShelf.text(SEEN) === null &&
+  browserShelf.text('work') === null;
+
+export function Welcome({ touring }: { touring: Signal<boolean> }) {
+  const { state } = useUi().app;
+  const offered = useSignal(firstVisit());
+  const wanted = useComputed(() => touring.value || (offered.value && state.motion.value !== null)).value;
+  const view = useSignal<ComponentType<ComponentProps<typeof WelcomeView>> | null>(null);
+  useEffect(() => {
+    if (wanted && !view.value)
+      void import('./offer.tsx').then(
+        (part) => {
+          view.value = part.WelcomeView;
+        },
+        () => {},
+      );
+  }, [wanted]);
+  const end = () => {
+    browserShelf.putText(SEEN, 'seen');
+    offered.value = false;
+    touring.value = false;
+  };
+  const View = view.value;
+  return wanted && View ? (
+    <View
+      touring={touring.value}
+      onTour={() => {
+        touring.value = true;
+      }}
+      onEnd={end}
+    />
+  ) : null;
+}

@@ -1,0 +1,36 @@
+/** Words of the first minute: what to try, and the tour. */
+export const text = {
+  offer: 'First visit',
+  try: 'Lean the board ten degrees and let two small motors steer it upright.',
+  balance: 'Balance it',
+  take: 'Tour of five steps',
+  dismiss: 'Not now',
+  tour: 'Tour',
+  of: (step: number, steps: number) => `Step ${step} of ${steps}`,
+  back: 'Back',
+  next: 'Next',
+  finish: 'Done',
+  skip: 'Skip the tour',
+  steps: {
+    cases: {
+      title: 'Choose a case',
+      body: 'The name at the top opens the gallery: boards that are ridden, let go or balanced, and the report’s other systems. One click runs one.',
+    },
+    run: {
+      title: 'Change and run',
+      body: 'The panel holds all that a run starts from. Every field takes a number or an expression such as pi/8; Run computes it anew.',
+    },
+    play: {
+      title: 'Watch it',
+      body: 'Space plays and pauses, the arrows go row by row, the slider goes anywhere. Drag the scene to look from another side.',
+    },
+    tools: {
+      title: 'Look closer',
+      body: 'Plots, equations, eigenvalues and methods open from here, and share their time with the scene.',
+    },
+    control: {
+      title: 'Control it',
+      body: 'Choose a regulator here and change a weight while the board rides: it rides on with the new gain.',
+    },
+  },
+} as const;

@@ -1,0 +1,109 @@
+/** A hand on a body: takes hold of a point, and pulls it about in the plane through it that faces the camera. */
+import type { Grabbing, Pick, SceneOptions } from '../contract.ts';
+
+/** How far from a body a press still takes hold of it (CSS pixels). */
+const REACH = { mouse: 3, touch: 14 } as const;
+
+type Point = readonly [number, number, number];
+
+/** What the hand needs of the scene. */
+export interface Grabbed {
+  pick(x: number, y: number, reach: number): Pick | null;
+  /** Where the hand at a place on the screen holds the point that stands here in the body's frame. */
+  reachTo(x: number, y: number, at: Pick): Point | null;
+  /** How fast the camera goes along with what it follows, m/s. */
+  pace(): Point;
+}
+
+export class Grab {
+  when: Grabbing = 'never';
+  private readonly canvas: HTMLCanvasElement;
+  private readonly scene: Grabbed;
+  private readonly tell: Listener;
+  private held: { pointer: number; at: Pick; x: number; y: number; last: Point } | null = null;
+  private readonly undo = new AbortController();
+
+  /** Made before the camera's own controls or not: it hears of a press first, and keeps those that are its own. */
+  constructor(canvas: HTMLCanvasElement, scene: Grabbed, tell: Listener) {
+    this.canvas = canvas;
+    this.scene = scene;
+    this.tell = tell;
+    const options = { capture: true, signal: this.undo.signal };
+    canvas.addEventListener('pointerdown', (event) => this.press(event), options);
+    canvas.addEventListener('pointermove', (event) => this.move(event), options);
+    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+      canvas.addEventListener(type, (event) => this.lift(event), options);
+    window.addEventListener('blur', () => this.release(), { signal: this.undo.signal });
+  }
+
+  get active(): boolean {
+    return this.held !== null;
+  }
+
+  /** After the bodies or the camera have moved: the hand stays where it is on the screen. */
+  follow(): void {
+    const { held } = this;
+    if (!held) return;
+    const target = this.scene.reachTo(held.x, held.y, held.at);
+    if (!target || target.every((value, i) => value === held.last[i])) return;
+    held.last = target;
+    this.tell.onPull?.(target, this.scene.pace());
+  }
+
+  release(): void {
+    if (!this.held) return;
+    this.held = null;
+    this.canvas.style.cursor = '';
+    this.tell.onRelease?.();
+  }
+
+  dispose(): void {
+    this.undo.abort();
+    this.release();
+  }
+
+  private press(event: PointerEvent): void {
+    if (this.held) return event.stopImmediatePropagation();
+    const wanted = this.when === 'always' || (this.when === 'shift' && event.shiftKey);
+    if (!wanted || event.button !== 0) return;
+    const [x, y] = this.place(event);
+    const at = this.scene.pick(x, y, event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
+    if (!at) return;
+    event.stopImmediatePropagation();
+    this.canvas.setPointerCapture(event.pointerId);
+    this.canvas.style.cursor = 'grabbing';
+    this.held = { pointer: event.pointerId, at, x, y, last: at.world };
+    this.tell.onGrab?.(at);
+  }
+
+  private move(event: PointerEvent): void {
+    const { held } = this;
+    if (!held) return this.hover(event);
+    event.stopImmediatePropagation();
+    if (held.pointer !== event.pointerId) return;
+    [held.x, held.y] = this.place(event);
+    this.follow();
+  }
+
+  private lift(event: PointerEvent): void {
+    if (!this.held) return;
+    event.stopImmediatePropagation();
+    if (this.held.pointer === event.pointerId) this.release();
+  }
+
+  /** Tells a mouse that it could take hold here. */
+  private hover(event: PointerEvent): void {
+    if (event.pointerType !== 'mouse' || event.buttons !== 0 || this.when === 'never') return;
+    const ready =
+      (this.when === 'always' || event.shiftKey) && this.scene.pick(...this.place(event), REACH.mouse) !== null;
+    const cursor = ready ? 'grab' : '';
+    if (this.canvas.style.cursor !== cursor) this.canvas.style.cursor = cursor;
+  }
+
+  private place(event: PointerEvent): [number, number] {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+}
+
+type Listener = { [K in 'onGrab' | 'onPull' | 'onRelease']?: SceneOptions[K] | undefined };

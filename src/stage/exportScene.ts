@@ -1,0 +1,140 @@
+/** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
+import { keyTimes } from '../app/files/exportPlan.ts';
+import { legendBar } from '../app/state/forceScale.ts';
+import { ghostsAt, type GhostPoses } from '../app/runs/ghosts.ts';
+import { Pace } from './pace.ts';
+import type { GlbPlan, Shot, ShotPlan, Watching } from '../app/files/exportRenderer.ts';
+import type { App, Motion } from '../app/types.ts';
+import { MotionSampler } from '../core/motion/motionSampler.ts';
+import { openCapture } from '../scene/export/capture.ts';
+import type { Dressed, SceneView } from '../scene/contract.ts';
+
+function watched(app: App, dressed: Dressed): Motion {
+  const motion = app.state.motion.peek();
+  if (!motion || motion.trajectory.length === 0 || dressed.system !== motion.system.meta.id)
+    throw new Error('There is no motion on the stage.');
+  return motion;
+}
+
+const samplerOf = (motion: Motion): MotionSampler =>
+  new MotionSampler(motion.system, motion.parameters, motion.trajectory, motion.constraints);
+
+/** Kept runs stand in the picture as they do on the page; their samplers are the picture's own. */
+async function ghostPoses({ state }: App, pace: Pace): Promise<(time: number) => readonly GhostPoses[]> {
+  const samplers = new Map<Motion, MotionSampler>();
+  for (const { motion, ghost } of state.kept.peek()) {
+    if (!ghost) continue;
+    samplers.set(motion, samplerOf(motion));
+    await caughtUp(samplers.get(motion)!, motion.trajectory.start, pace);
+  }
+  return (time) => ghostsAt(state, { samplerOf: (motion) => samplers.get(motion) ?? samplerOf(motion) }, time);
+}
+
+/** Paths and rolled wheels over all rows there are: a sampler follows a long run in parts. */
+async function caughtUp(sampler: MotionSampler, time: number, pace: Pace): Promise<void> {
+  while (sampler.behind && sampler.sample(time)) if (pace.over) await pace.breathe();
+}
+
+export async function openShot(
+  app: App,
+  page: SceneView,
+  dressed: Dressed,
+  plan: ShotPlan,
+  signal?: AbortSignal,
+): Promise<Shot> {
+  const { state } = app;
+  const { look } = state;
+  const motion = watched(app, dressed);
+  const sampler = samplerOf(motion);
+  const pace = new Pace(signal);
+  await caughtUp(sampler, plan.from, pace);
+  const ghosts = await ghostPoses(app, pace);
+  const forces = state.showForces.peek();
+  const perNewton = look.metresPerNewton.peek();
+  const capture = openCapture({
+    ...plan,
+    theme: state.theme.peek(),
+    closeUp: look.inset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,
+    legend: forces && motion.system.contacts.length > 0 ? (pixels) => legendOf(perNewton, pixels) : null,
+  });
+  const { view } = capture;
+  let last = Number.NaN;
+  const put = (time: number): void => {
+    if (time === last) return;
+    last = time;
+    sampler.sample(time);
+    view.setTrails(sampler.tracks());
+    view.setFrame({
+      time,
+      poses: sampler.poses,
+      wheelAngles: sampler.wheelAngles,
+      forces: forces ? sampler.forces(time) : [],
+    });
+    view.setGhosts(ghosts(time));
+  };
+  try {
+    view.setModels(dressed.models, dressed.cast!);
+    view.setSwitches({
+      trails: state.showTrails.peek(),
+      forces,
+      names: look.names.peek(),
+      frames: look.frames.peek(),
+      metresPerNewton: perNewton,
+      level: look.level.peek(),
+    });
+    view.setFollow(plan.follow);
+    const asOnPage = plan.view === 'page';
+    view.setView(asOnPage ? state.view.peek() : (plan.view as Exclude<typeof plan.view, 'page'>));
+    put(asOnPage ? state.time.peek() : plan.from);
+    if (asOnPage) view.setPlacement(page.placement());
+  } catch (error) {
+    capture.dispose();
+    throw error;
+  }
+  return {
+    canvas: capture.canvas,
+    draw(time, caption) {
+      put(time);
+      capture.draw(caption);
+    },
+    dispose: () => capture.dispose(),
+  };
+}
+
+function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: number; label: string } | null {
+  const bar = legendBar(metresPerNewton, pixelsPerMetre);
+  return bar && { pixels: bar.pixels, label: `${bar.newtons}\u2009N` };
+}
+
+export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan, { signal, onKey }: Watching): Promise<Blob> {
+  const motion = watched(app, dressed);
+  const { glbOf } = await import('../scene/export/gltf.ts');
+  const pace = new Pace(signal);
+  const sampler = samplerOf(motion);
+  await caughtUp(sampler, plan.from, pace);
+  const times = keyTimes(motion.trajectory.column('t')!, plan);
+  return glbOf({
+    title: motion.title,
+    models: dressed.models,
+    cast: dressed.cast!,
+    theme: app.state.theme.peek(),
+    times,
+    generator: plan.generator,
+    extras: {
+      title: motion.title,
+      system: motion.system.meta.id,
+      start: times[0] ?? 0,
+      parameters: motion.parameters,
+      scenario: motion.written ?? motion.scenario,
+    },
+    at(time) {
+      sampler.sample(time);
+      return sampler;
+    },
+    pause(keys) {
+      if (!pace.over) return null;
+      onKey(keys);
+      return pace.breathe();
+    },
+  });
+}

@@ -1,0 +1,225 @@
+import { effect, signal, type Signal } from '@preact/signals';
+import { bodyPoint, bodyVelocity, canPush, firmness, pull } from '../app/push/pointerPush.ts';
+import { ghostsAt } from '../app/runs/ghosts.ts';
+import type { Studio } from '../app/files/exportRenderer.ts';
+import type { Stage } from '../app/runs/stage.ts';
+import type { App, Motion } from '../app/types.ts';
+import { boardBodies, boardShape, boardStage } from '../core/geometry/board.ts';
+import type { Drawing } from '../core/geometry/drawing.ts';
+import type { Dressed, MeshPair, SceneOptions, SceneView } from '../scene/contract.ts';
+
+/** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
+export async function connectScene(
+  canvas: HTMLCanvasElement,
+  app: App,
+  stage: Stage,
+  problem: Signal<string | null>,
+): Promise<void> {
+  const { createScene } = await import('../scene/scene.ts');
+  const { state } = app;
+  const stillness = matchMedia('(prefers-reduced-motion: reduce)');
+  let view: SceneView;
+  try {
+    view = createScene(canvas, {
+      theme: state.theme.peek(),
+      reducedMotion: stillness.matches,
+      onContextLost: () =>
+        void (problem.value = 'The graphics processor gave up the 3-D view; it comes back by itself. Nothing is lost.'),
+      onContextRestored: () => void (problem.value = null),
+      onScale: (pixels) => void (state.look.pixelsPerMetre.value = pixels),
+      ...hand(app),
+    });
+  } catch (error) {
+    problem.value = (error as Error).message;
+    return;
+  }
+  (window as unknown as { ripstikScene: SceneView }).ripstikScene = view;
+  fitToElement(canvas, view);
+  stillness.addEventListener('change', () => view.setReducedMotion(stillness.matches));
+  effect(() => view.setTheme(state.theme.value));
+  connectLook(app, view);
+  effect(() => view.setFollow(state.follow.value));
+  effect(() => view.setView(state.view.value));
+  const dressed = dress(app, view);
+  const studio: Studio = {
+    open: async (plan, signal) => (await import('./exportScene.ts')).openShot(app, view, dressed.peek(), plan, signal),
+    glb: async (plan, watching) => (await import('./exportScene.ts')).writeGlb(app, dressed.peek(), plan, watching),
+  };
+  effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
+  const followed = signal(0);
+  let following = false;
+  /** Rows that could not be followed at once are in the next frame: one look a frame, however often the time changes. */
+  const followOn = (): void => {
+    if (following) return;
+    following = true;
+    requestAnimationFrame(() => {
+      following = false;
+      followed.value++;
+    });
+  };
+  effect(() => {
+    const sampler = stage.sampler.value;
+    const motion = state.motion.value;
+    // Until the meshes of another system are there, the last picture of the one before stays.
+    if (!sampler || !motion || dressed.value.system !== motion.system.meta.id) return;
+    const time = state.time.value;
+    // A pause at the newest row of a growing run must redraw when rows come.
+    void state.rowsVersion.value;
+    void followed.value;
+    if (!sampler.sample(time)) return;
+    if (sampler.behind) followOn();
+    view.setTrails(sampler.tracks());
+    view.setFrame({
+      time,
+      poses: sampler.poses,
+      wheelAngles: sampler.wheelAngles,
+      forces: state.showForces.value ? sampler.forces(time) : [],
+    });
+    drawPull(app, view, sampler.poses);
+  });
+  effect(() =>
+    view.setGhosts(
+      dressed.value.system === state.motion.value?.system.meta.id ? ghostsAt(state, stage, state.time.value) : [],
+    ),
+  );
+  effect(() => {
+    void state.grab.value;
+    const sampler = stage.sampler.peek();
+    if (sampler) drawPull(app, view, sampler.poses);
+  });
+}
+
+function connectLook({ state }: App, view: SceneView): void {
+  const { look } = state;
+  effect(() =>
+    view.setSwitches({
+      trails: state.showTrails.value,
+      forces: state.showForces.value,
+      names: look.names.value,
+      frames: look.frames.value,
+      metresPerNewton: look.metresPerNewton.value,
+      level: look.level.value,
+    }),
+  );
+  effect(() => view.setQuality(look.quality.value));
+  effect(() => view.setInset(look.insetBox.value));
+  effect(() => view.setGrabbing(!canPush(state.motion.value) ? 'never' : look.push.value ? 'always' : 'shift'));
+}
+
+/** What the hand in the scene does becomes the state's grab. */
+function hand({ state }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
+  // Between two pictures the hand goes along with the camera, as it does to the eye.
+  const moving = (velocity: readonly [number, number, number]) => ({ velocity, since: state.time.peek() });
+  const REST = [0, 0, 0] as const;
+  return {
+    onGrab({ body, point, world }) {
+      const motion = state.motion.peek();
+      const id = motion?.system.meta.bodies[body]?.id;
+      if (motion && id !== undefined) {
+        const along = state.follow.peek() || state.view.peek() === 'rider';
+        state.grab.value = {
+          body: id,
+          point,
+          target: world,
+          moving: moving(along ? bodyVelocity(motion, state.time.peek(), body) : REST),
+          ...firmness(motion),
+        };
+      }
+    },
+    onPull(target, velocity) {
+      const grab = state.grab.peek();
+      if (grab) state.grab.value = { ...grab, target, moving: moving(velocity) };
+    },
+    onRelease: () => void (state.grab.value = null),
+  };
+}
+
+/** The spring from where the held point is now to the hand. */
+function drawPull({ state }: App, view: SceneView, poses: Float64Array): void {
+  const grab = state.grab.peek();
+  const body = grab ? (state.motion.peek()?.system.meta.bodies.findIndex(({ id }) => id === grab.body) ?? -1) : -1;
+  if (!grab || body < 0) return view.setHandle(null);
+  const from = bodyPoint(poses, body, grab.point);
+  const force = pull(grab, from);
+  view.setHandle({ from, to: grab.target, label: `${force.toFixed(force < 9.95 ? 1 : 0)}\u2009N` });
+}
+
+function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
+  new ResizeObserver(() => view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio)).observe(canvas);
+  view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio);
+}
+
+/** Meshes follow the motion's proportions and the person's own files. Says whose are on the stage; a new object with every change. */
+function dress(app: App, view: SceneView): Signal<Dressed> {
+  const dressed = signal<Dressed>({ system: null, models: {}, cast: null });
+  let wearing = '';
+  let turn = 0;
+  /** The person's files that last fitted; a bad one gives way to them. */
+  let good = app.state.meshes.peek();
+  effect(() => {
+    const motion = app.state.motion.value;
+    const own = app.state.meshes.value;
+    if (!motion) return;
+    const { id } = motion.system.meta;
+    const shape = id === 'ripstik' ? boardShape.map((name) => motion.parameters[name]) : motion.parameters;
+    const key = JSON.stringify([id, shape, [...own]]);
+    if (key === wearing) return;
+    wearing = key;
+    const now = ++turn;
+    void drawingFor(motion).then(
+      ({ pairs, bodies, fixtures, stage }) => {
+        if (now !== turn) return;
+        try {
+          const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
+          const named = bodies.map((body) => ({
+            ...body,
+            label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id,
+          }));
+          const [models, cast] = [
+            Object.fromEntries(worn) as Record<string, MeshPair>,
+            { id, bodies: named, fixtures, stage },
+          ];
+          view.setModels(models, cast);
+          good = own;
+          dressed.value = { system: id, models, cast };
+        } catch (error) {
+          app.state.meshes.value = good;
+          app.actions.report('error', 'The mesh could not be shown', [
+            (error as Error).message,
+            'The bodies on the stage are as before.',
+          ]);
+        }
+      },
+      (error: unknown) => app.actions.report('error', 'The meshes could not be loaded', [String(error)]),
+    );
+  });
+  return dressed;
+}
+
+/** The board in its default proportions wears the shipped files; everything else is drawn from its parameters. */
+async function drawingFor({ system: { meta }, parameters }: Motion): Promise<Drawing> {
+  const standard =
+    meta.id === 'ripstik' &&
+    boardShape.every((name) => parameters[name] === meta.parameters.find((p) => p.name === name)?.default);
+  if (!standard) return (await import('../core/geometry/drawings.ts')).drawingOf(meta, parameters);
+  const bodies = boardBodies(parameters);
+  return {
+    pairs: await loadModels([...new Set(bodies.map(({ model }) => model))]),
+    bodies,
+    fixtures: [],
+    stage: boardStage,
+  };
+}
+
+async function loadModels(names: readonly string[]): Promise<Record<string, MeshPair>> {
+  const text = async (file: string): Promise<string> => {
+    const response = await fetch(`models/${file}`);
+    if (!response.ok) throw new Error(`models/${file}: the server answered ${response.status}`);
+    return response.text();
+  };
+  return Object.fromEntries(
+    await Promise.all(
+      names.map(async (name) => [name, { mdl: await text(`${name}.mdl`), mat: await text(`${name}.mat`) }] as const),
+    ),
+  );
+}

@@ -1,9 +1,0 @@
-/** Words of the pad that pushes by keys. */
-export const pushText = {
-  title: 'Push by keys', body: 'Body', hint: 'Arrows, Page Up and Page Down; Escape lets go', letGo: 'Let go',
-  ways: { ahead: 'Push ahead', back: 'Push back', left: 'Push to the left', right: 'Push to the right', up: 'Push up', down: 'Push down' },
-  /** Of each axis: the word for a positive force and for a negative one. */
-  towards: [['ahead', 'back'], ['left', 'right'], ['up', 'down']] as const,
-  newtons: (force: string, towards: string) => `${force}\u2009N ${towards}`,
-  pulls: (body: string, forces: string) => `${body}: ${forces}`, nothing: 'Nothing is held', balanced: 'held, no force',
-} as const;

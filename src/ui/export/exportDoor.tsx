@@ -1,9 +1,0 @@
-import { useUi } from '../context.ts';
-import { later } from '../later.tsx';
-
-const Loaded = later(async () => (await import('./exportDialog.tsx')).ExportDialog);
-
-/** The export dialog, loaded when it is first opened. */
-export function ExportDoor() {
-  return useUi().app.state.exporting.value ? <Loaded /> : null;
-}

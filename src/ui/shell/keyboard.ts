@@ -1,0 +1,127 @@
+/** The page's keys. Fields, menus and dialogs keep theirs. */
+import { useEffect } from 'preact/hooks';
+import type { Signal } from '@preact/signals';
+import { speeds } from '../../app/state/playbackClock.ts';
+import { canPush } from '../../app/push/pointerPush.ts';
+import type { App } from '../../app/types.ts';
+import { viewsOf } from '../stage/stageOverlay.tsx';
+import { timelineOf } from '../stage/timeline.ts';
+
+const JUMP = 0.1;
+
+export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
+  useEffect(() => {
+    const onKeyDown = (event: KeyboardEvent) => {
+      if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
+      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey || runsOnEnter(event.target))) {
+        // after the field has taken the key and what it led to has been drawn
+        setTimeout(() => {
+          if (!refused(event.target)) app.actions.run();
+        });
+        return;
+      }
+      if (
+        event.ctrlKey ||
+        event.metaKey ||
+        event.altKey ||
+        typing(event.target) ||
+        (event.key === ' ' && pressing(event.target))
+      )
+        return;
+      if (act(app, event.key, event.shiftKey, keysOpen)) event.preventDefault();
+    };
+    window.addEventListener('keydown', onKeyDown);
+    return () => window.removeEventListener('keydown', onKeyDown);
+  }, []);
+}
+
+/** Enter in a field of the experiment runs it; a regulator's fields act on the running motion instead. */
+function runsOnEnter(target: EventTarget | null): boolean {
+  return (
+    target instanceof HTMLInputElement &&
+    target.type === 'text' &&
+    target.closest('.experiment') !== null &&
+    target.closest('.lqr') === null
+  );
+}
+
+const refused = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && target.ariaInvalid === 'true';
+
+function typing(target: EventTarget | null): boolean {
+  // The transport's slider is the time line itself; every other one keeps its arrows, Home and End.
+  if (target instanceof HTMLInputElement && target.type === 'range') return target.closest('.transport') === null;
+  if (target instanceof HTMLInputElement) return target.type !== 'checkbox';
+  return target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName));
+}
+
+/** Space presses what has the focus. */
+function pressing(target: EventTarget | null): boolean {
+  return (
+    target instanceof HTMLElement &&
+    (/^(BUTTON|SUMMARY|A)$/.test(target.tagName) || (target instanceof HTMLInputElement && target.type === 'checkbox'))
+  );
+}
+
+/** Returns whether the key meant something. */
+export function act(app: App, key: string, shift: boolean, keysOpen: Signal<boolean>): boolean {
+  const { state, actions } = app;
+  const line = timelineOf(state.motion.peek(), state.run.peek());
+  const seek = (time: number) => actions.seek(Math.min(line.available, Math.max(line.start, time)));
+  const along = (sign: 1 | -1) => (shift ? seek(state.time.peek() + sign * JUMP) : actions.stepRows(sign));
+  const does: Record<string, () => void> = {
+    ' ': actions.toggle,
+    ArrowLeft: () => along(-1),
+    ArrowRight: () => along(1),
+    ',': () => actions.stepRows(-1),
+    '.': () => actions.stepRows(1),
+    Home: () => seek(line.start),
+    End: () => seek(line.available),
+    j: () => slowerOrFaster(app, -1),
+    k: actions.pause,
+    l: () => slowerOrFaster(app, 1),
+    b: () => void app.kept.keep(),
+    f: () => {
+      state.follow.value = !state.follow.peek();
+    },
+    p: () => {
+      state.look.inset.value = !state.look.inset.peek();
+    },
+    g: () => {
+      if (canPush(state.motion.peek())) state.look.push.value = !state.look.push.peek();
+    },
+    n: () => {
+      state.look.names.value = !state.look.names.peek();
+    },
+    a: () => {
+      state.look.frames.value = !state.look.frames.peek();
+    },
+    '?': () => {
+      keysOpen.value = true;
+    },
+  };
+  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);
+  const run =
+    does[key.length === 1 ? key.toLowerCase() : key] ??
+    (view &&
+      (() => {
+        state.view.value = view;
+      }));
+  run?.();
+  return run !== undefined;
+}
+
+/** L plays, then speeds up; J plays or goes on, one speed slower. */
+function slowerOrFaster({ state, actions }: App, way: 1 | -1): void {
+  if (state.playing.peek()) {
+    const now = state.speed.peek();
+    const next = way > 0 ? speeds.find((s) => s > now) : [...speeds].reverse().find((s) => s < now);
+    if (next !== undefined) state.speed.value = next;
+  } else if (way < 0) {
+    const slower = [...speeds].reverse().find((s) => s < state.speed.peek());
+    if (slower !== undefined) state.speed.value = slower;
+    actions.play();
+  } else {
+    actions.play();
+  }
+}

@@ -1,0 +1,182 @@
+/** Where the panels stand: the experiment at the left, the open tool and the rail of tools at the right; on a phone all in a sheet with tabs. */
+import { useSignal, useSignalEffect } from '@preact/signals';
+import type { ComponentType } from 'preact';
+import { useRef, useState } from 'preact/hooks';
+import { text } from '../words.ts';
+import { useUi } from '../context.ts';
+import { Icon } from '../kit/controls.tsx';
+import { Experiment } from '../../features/experiment/experiment.tsx';
+import { FilePanel } from './filePanel.tsx';
+import type { Tool } from '../tool.ts';
+
+export function LeftPanel() {
+  const [open, setOpen] = useState(true);
+  const title = text.panel.experiment;
+  const label = open ? text.panel.fold(title) : text.panel.unfold(title);
+  return (
+    <aside class={`panel left${open ? '' : ' folded'}`} aria-label={title}>
+      <div class="panel-head">
+        {open && <h2>{title}</h2>}
+        <button
+          type="button"
+          class="quiet square"
+          aria-expanded={open}
+          aria-label={label}
+          title={label}
+          data-testid="fold-left"
+          onClick={() => setOpen(!open)}
+        >
+          <Icon name={open ? 'left' : 'right'} />
+        </button>
+        {!open && (
+          <span class="folded-title" aria-hidden="true">
+            {title}
+          </span>
+        )}
+      </div>
+      {/* hidden, not gone: text that stands in a field survives folding */}
+      <div class="panel-body" hidden={!open}>
+        <Experiment />
+      </div>
+    </aside>
+  );
+}
+
+/** Those that are shown, and those that keep what they were doing. */
+function useVisited(tools: readonly Tool[], open: string | null): readonly Tool[] {
+  const visited = useRef(new Set<string>());
+  if (open !== null) visited.current.add(open);
+  return tools.filter(({ id, keep }) => id === open || (keep && visited.current.has(id)));
+}
+
+export function Tools() {
+  const {
+    app: { state },
+    tools,
+  } = useUi();
+  const open = state.tool.value;
+  const current = tools.find(({ id }) => id === open);
+  const fold = () => {
+    document.querySelector<HTMLElement>(`[data-testid="tool-${open}"]`)?.focus();
+    state.tool.value = null;
+  };
+  return (
+    <div class="right">
+      {useVisited(tools, open).map(({ id, title, size, Body }) => (
+        <aside
+          key={id}
+          id={`tool-panel-${id}`}
+          class={`panel tool ${size}`}
+          aria-label={title}
+          hidden={id !== open}
+          data-testid={`tool-panel-${id}`}
+          onKeyDown={(event) => {
+            if (event.key === 'Escape' && !event.defaultPrevented) fold();
+          }}
+        >
+          <div class="panel-head">
+            <h2>{title}</h2>
+            <button
+              type="button"
+              class="quiet square"
+              aria-label={text.panel.fold(title)}
+              title={text.panel.fold(title)}
+              data-testid="fold-right"
+              onClick={fold}
+            >
+              <Icon name="right" />
+            </button>
+          </div>
+          <Body />
+        </aside>
+      ))}
+      <nav class="rail" aria-label={text.panel.tools}>
+        {tools.map(({ id, title, icon }) => (
+          <button
+            key={id}
+            type="button"
+            class="rail-button"
+            aria-expanded={current?.id === id}
+            aria-controls={`tool-panel-${id}`}
+            data-testid={`tool-${id}`}
+            onClick={() => {
+              state.tool.value = open === id ? null : id;
+            }}
+          >
+            <Icon name={icon} />
+            <span>{title}</span>
+          </button>
+        ))}
+      </nav>
+    </div>
+  );
+}
+
+const FIRST = 'experiment';
+
+export function Sheet() {
+  const {
+    app: { state },
+    tools,
+  } = useUi();
+  const current = useSignal(FIRST);
+  const visited = useVisited(tools, current.value);
+  // what asks for a tool asks for its tab; an opened file is what one wants to read about
+  useSignalEffect(() => {
+    if (state.tool.value !== null) current.value = state.tool.value;
+  });
+  useSignalEffect(() => {
+    if (state.motion.value?.source === 'file') current.value = 'file';
+  });
+  const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
+    { id: FIRST, title: text.panel.experiment, Body: Experiment, there: true },
+    ...tools.map((tool) => ({ ...tool, there: visited.includes(tool) })),
+    { id: 'file', title: text.panel.file, Body: FilePanel, there: true },
+  ];
+  const show = (id: string) => {
+    current.value = id;
+    state.tool.value = tools.some((tool) => tool.id === id) ? id : null;
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (step === 0) return;
+    event.preventDefault();
+    const at = bodies.findIndex(({ id }) => id === current.value);
+    const next = bodies[(at + step + bodies.length) % bodies.length]!;
+    show(next.id);
+    document.getElementById(`tab-${next.id}`)?.focus();
+  };
+  return (
+    <section class="sheet" aria-label={text.sheet}>
+      <div class="tabs" role="tablist" onKeyDown={onKeyDown}>
+        {bodies.map(({ id, title }) => (
+          <button
+            key={id}
+            type="button"
+            role="tab"
+            id={`tab-${id}`}
+            aria-selected={current.value === id}
+            aria-controls={`sheet-${id}`}
+            tabIndex={current.value === id ? 0 : -1}
+            data-testid={`tab-${id}`}
+            onClick={() => show(id)}
+          >
+            {title}
+          </button>
+        ))}
+      </div>
+      {bodies.map(({ id, Body, there }) => (
+        <div
+          key={id}
+          id={`sheet-${id}`}
+          class="tab-body"
+          role="tabpanel"
+          aria-labelledby={`tab-${id}`}
+          hidden={current.value !== id}
+        >
+          {there && <Body />}
+        </div>
+      ))}
+    </section>
+  );
+}

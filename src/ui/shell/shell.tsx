@@ -1,0 +1,115 @@
+/** The page around the scene. It owns no state of the laboratory: everything comes from `app`. */
+import { useSignal, useSignalEffect } from '@preact/signals';
+import type { ReadonlySignal } from '@preact/signals';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import type { App, CaseInfo } from '../../app/types.ts';
+import { Announcer } from './announcer.tsx';
+import { createUi, UiContext } from '../context.ts';
+import type { FormulationChoice, MethodChoice } from '../context.ts';
+import { ExportDoor } from '../../features/export/exportDoor.tsx';
+import { KeysDialog, StepDialog } from '../kit/dialogs.tsx';
+import { DropOverlay } from './dropOverlay.tsx';
+import { useKeyboard } from './keyboard.ts';
+import { useMedia } from '../kit/media.ts';
+import { Messages } from './messages.tsx';
+import { LeftPanel, Sheet, Tools } from './panels.tsx';
+import { SkipLinks } from './skipLinks.tsx';
+import { StageOverlay } from '../stage/stageOverlay.tsx';
+import { StatusLine } from './statusLine.tsx';
+import { text } from '../words.ts';
+import type { Tool } from '../tool.ts';
+import { TopBar } from './topBar.tsx';
+import { Transport } from '../stage/transport.tsx';
+import { Welcome } from '../../features/welcome/welcome.tsx';
+import '../style.css';
+
+export interface ShellProps {
+  app: App;
+  methods: readonly MethodChoice[];
+  formulations: readonly FormulationChoice[];
+  /** Called once, when the canvas is in the page. */
+  onCanvas(canvas: HTMLCanvasElement): void;
+  /** What the scene shows, in words. */
+  sceneText: ReadonlySignal<string>;
+  /** Why there is no scene (no WebGL), or null. */
+  sceneError: ReadonlySignal<string | null>;
+  /** The case the draft came from; without it, the last case whose scenario the draft was. */
+  origin?: ReadonlySignal<CaseInfo | null>;
+  tools: readonly Tool[];
+  /** Takes away what this browser stores for the page. */
+  onForget?: () => void;
+}
+
+/** A phone, or a tablet held upright; the same words stand in phone.css. */
+export const PHONE = '(max-width: 760px), (max-width: 1024px) and (orientation: portrait)';
+
+export function Shell({
+  app,
+  methods,
+  formulations,
+  onCanvas,
+  sceneText,
+  sceneError,
+  origin,
+  tools,
+  onForget,
+}: ShellProps) {
+  const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);
+  const keysOpen = useSignal(false);
+  const touring = useSignal(false);
+  const phone = useMedia(PHONE);
+  useTheme(app);
+  useKeyboard(app, keysOpen);
+  return (
+    <UiContext.Provider value={ui}>
+      <SkipLinks />
+      <div class="shell">
+        <TopBar keysOpen={keysOpen} />
+        {phone ? null : <LeftPanel />}
+        <main key="stage" id="stage" class="stage" tabIndex={-1} aria-label={text.view.scene}>
+          <Canvas onCanvas={onCanvas} sceneText={sceneText} />
+          <StageOverlay sceneError={sceneError} />
+        </main>
+        <Welcome touring={touring} />
+        {phone ? null : <Tools />}
+        <Transport />
+        {phone ? <Sheet /> : null}
+        <StatusLine />
+      </div>
+      <Messages />
+      <StepDialog />
+      <ExportDoor />
+      <KeysDialog
+        open={keysOpen}
+        onTour={() => {
+          touring.value = true;
+        }}
+        onForget={onForget}
+      />
+      <DropOverlay />
+      <Announcer />
+    </UiContext.Provider>
+  );
+}
+
+function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneText'>) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => onCanvas(canvas.current!), []);
+  return (
+    <>
+      <canvas ref={canvas} role="img" aria-label={text.view.scene} aria-describedby="scene-text" data-testid="scene" />
+      <p id="scene-text" class="hidden" aria-live="polite" data-testid="scene-text">
+        {sceneText}
+      </p>
+    </>
+  );
+}
+
+function useTheme(app: App): void {
+  useSignalEffect(() => {
+    const root = document.documentElement;
+    root.dataset['theme'] = app.state.theme.value;
+    const surface = getComputedStyle(root).getPropertyValue('--surface').trim();
+    if (surface) document.querySelector('meta[name=theme-color]')?.setAttribute('content', surface);
+  });
+}

@@ -1,0 +1,127 @@
+/** The hand without a pointer: buttons and keys that push at a body in steps. */
+import { useEffect, useId, useMemo, useRef, useState } from 'preact/hooks';
+import { createKeyHand, type Force, type Hold } from '../../app/push/keyboardPush.ts';
+import type { SystemMeta } from '../../core/systems/types.ts';
+import './pushPad.css';
+import { pushText as text } from './pushWords.ts';
+import { useUi } from '../context.ts';
+import { Icon, type IconName } from '../kit/controls.tsx';
+import { formatShort } from '../kit/format.ts';
+
+type Way = keyof typeof text.ways;
+
+const WAYS: Readonly<Record<Way, { force: Force; key: string; icon: IconName }>> = {
+  ahead: { force: [1, 0, 0], key: 'ArrowUp', icon: 'up' },
+  back: { force: [-1, 0, 0], key: 'ArrowDown', icon: 'below' },
+  left: { force: [0, 1, 0], key: 'ArrowLeft', icon: 'before' },
+  right: { force: [0, -1, 0], key: 'ArrowRight', icon: 'after' },
+  up: { force: [0, 0, 1], key: 'PageUp', icon: 'raise' },
+  down: { force: [0, 0, -1], key: 'PageDown', icon: 'lower' },
+};
+
+/** What a person would take hold of first: the front plate, else the first body. */
+const firstOf = ({ bodies }: SystemMeta): string => (bodies.find(({ part }) => part === 'front') ?? bodies[0]!).id;
+
+export function PushPad() {
+  const { state } = useUi().app;
+  const hand = useMemo(() => createKeyHand(state), []);
+  const meta = state.motion.value!.system.meta;
+  const [chosen, choose] = useState(() => firstOf(meta));
+  const body = meta.bodies.some(({ id }) => id === chosen) ? chosen : firstOf(meta);
+  const root = useRef<HTMLDivElement>(null);
+  const id = useId();
+  const toggle = () => document.querySelector<HTMLElement>('[data-testid=toggle-push]');
+  useEffect(() => {
+    if (document.activeElement !== toggle()) root.current!.querySelector('button')!.focus();
+    return () => {
+      if (root.current?.contains(document.activeElement)) toggle()?.focus();
+      hand.dispose();
+    };
+  }, []);
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way =
+      event.target instanceof HTMLSelectElement
+        ? undefined
+        : (Object.keys(WAYS) as Way[]).find((one) => WAYS[one].key === event.key);
+    if (way) hand.press(body, WAYS[way].force);
+    else if (event.key !== 'Escape') return;
+    else if (hand.hold.peek()) hand.letGo();
+    else {
+      toggle()?.focus();
+      state.look.push.value = false;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    <div class="push-row">
+      <div
+        class="push-pad"
+        ref={root}
+        role="group"
+        aria-label={text.title}
+        aria-describedby={id}
+        data-testid="push-pad"
+        onKeyDown={onKeyDown}
+      >
+        <div class="push-keys">
+          {(Object.keys(WAYS) as Way[]).map((way) => (
+            <button
+              key={way}
+              type="button"
+              class={`quiet square push-${way}`}
+              aria-label={text.ways[way]}
+              title={text.ways[way]}
+              data-testid={`push-${way}`}
+              onClick={() => hand.press(body, WAYS[way].force)}
+            >
+              <Icon name={WAYS[way].icon} />
+            </button>
+          ))}
+          <button
+            type="button"
+            class="quiet square push-none"
+            aria-label={text.letGo}
+            title={text.letGo}
+            data-testid="push-none"
+            onClick={hand.letGo}
+          >
+            <Icon name="close" />
+          </button>
+        </div>
+        <label class="push-body">
+          <span class="hidden">{text.body}</span>
+          <select
+            value={body}
+            data-testid="push-body"
+            onChange={(event) => {
+              hand.letGo();
+              choose(event.currentTarget.value);
+            }}
+          >
+            {meta.bodies.map((one) => (
+              <option key={one.id} value={one.id}>
+                {one.label}
+              </option>
+            ))}
+          </select>
+        </label>
+        <p class="push-force" role="status" data-testid="push-force">
+          {inWords(hand.hold.value, meta)}
+        </p>
+        <p class="push-hint" id={id}>
+          {text.hint}
+        </p>
+      </div>
+    </div>
+  );
+}
+
+function inWords(hold: Hold | null, { bodies }: SystemMeta): string {
+  if (!hold) return text.nothing;
+  const forces = hold.force.flatMap((newtons, i) =>
+    newtons === 0 ? [] : [text.newtons(formatShort(Math.abs(newtons), 4), text.towards[i]![newtons > 0 ? 0 : 1])],
+  );
+  return text.pulls(bodies.find(({ id }) => id === hold.body)?.label ?? hold.body, forces.join(', ') || text.balanced);
+}

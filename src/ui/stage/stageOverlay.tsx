@@ -1,0 +1,126 @@
+/** What lies over the scene: view buttons, switches, one line of what to look at. */
+import type { ReadonlySignal } from '@preact/signals';
+import type { ViewName } from '../../app/types.ts';
+import { canRide, hasCloseUp } from '../../core/geometry/roster.ts';
+import { canPush } from '../../app/push/pointerPush.ts';
+import { useUi } from '../context.ts';
+import { Toggle } from '../kit/controls.tsx';
+import { later } from '../kit/later.tsx';
+import { ModeActions } from './modeActions.tsx';
+import { ForceLegend, Inset } from './stageCorners.tsx';
+import { ViewMenu } from './viewMenu.tsx';
+import { text } from '../words.ts';
+
+const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
+
+/** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
+export const viewsOf = (systemId: string): ReadonlyMap<string, ViewName> =>
+  new Map([
+    ['1', 'orbit'],
+    ['2', 'front'],
+    ['3', 'side'],
+    ['4', 'top'],
+    ...(hasCloseUp(systemId) ? ([['5', 'caster']] as const) : []),
+    ...(canRide(systemId) ? ([['6', 'rider']] as const) : []),
+  ]);
+
+export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
+  const ui = useUi();
+  const { state } = ui.app;
+  const motion = state.motion.value;
+  const origin = ui.origin.value;
+  const system = motion?.system ?? ui.system.value;
+  const [tracked, forced] = [
+    (system?.tracks ?? system?.contacts ?? []).length > 0,
+    (system?.contacts ?? []).length > 0,
+  ];
+  const closeUp = hasCloseUp(system?.meta.id ?? '');
+  const fileTitle = motion && motion.source !== 'run' ? motion.title : null;
+  return (
+    <>
+      <div class="caption">
+        <p class="caption-title">{fileTitle ?? origin?.title ?? ''}</p>
+        {!fileTitle && origin && <p>{origin.summary}</p>}
+        {motion?.source === 'mode' && <ModeActions />}
+        {motion === null && state.run.value === null && <p>{text.hint}</p>}
+      </div>
+      {sceneError.value !== null && (
+        <div class="scene-error" role="alert" data-testid="scene-error">
+          <h2>{text.noScene}</h2>
+          <p>{sceneError}</p>
+        </div>
+      )}
+      <div class="stage-corner">
+        {closeUp && state.look.inset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
+        {forced && state.showForces.value && <ForceLegend />}
+      </div>
+      <div class="views">
+        {state.look.push.value && canPush(motion) && <PushPad />}
+        <div class="segments" role="group" aria-label={text.view.label}>
+          {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
+            <Toggle
+              key={view}
+              pressed={state.view.value === view}
+              title={`${text.view.names[view]} (${key})`}
+              testId={`view-${view}`}
+              onClick={() => {
+                state.view.value = view;
+              }}
+            >
+              {text.view.names[view]}
+            </Toggle>
+          ))}
+        </div>
+        <div class="view-switches">
+          <div class="segments" role="group" aria-label={text.view.switches}>
+            <Toggle
+              pressed={state.follow.value}
+              title={`${text.view.follow} (F)`}
+              testId="toggle-follow"
+              onClick={() => {
+                state.follow.value = !state.follow.value;
+              }}
+            >
+              {text.view.follow}
+            </Toggle>
+            {tracked && (
+              <Toggle
+                pressed={state.showTrails.value}
+                testId="toggle-trails"
+                onClick={() => {
+                  state.showTrails.value = !state.showTrails.value;
+                }}
+              >
+                {text.view.trails}
+              </Toggle>
+            )}
+            {forced && (
+              <Toggle
+                pressed={state.showForces.value}
+                testId="toggle-forces"
+                onClick={() => {
+                  state.showForces.value = !state.showForces.value;
+                }}
+              >
+                {text.view.forces}
+              </Toggle>
+            )}
+            {canPush(motion) && (
+              <Toggle
+                pressed={state.look.push.value}
+                title={`${text.look.pushTitle} (G)`}
+                testId="toggle-push"
+                onClick={() => {
+                  state.look.push.value = !state.look.push.value;
+                }}
+              >
+                {text.look.push}
+              </Toggle>
+            )}
+          </div>
+          <ViewMenu closeUp={closeUp} ridden={canRide(system?.meta.id ?? '')} forced={forced} />
+        </div>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,134 @@
+/** What of the stage is switched less often: names, axes, the inset, scales. A disclosure: Escape closes it, and so does pressing elsewhere. */
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { FORCE_SCALES, scaleIndex } from '../../app/state/forceScale.ts';
+import { useUi } from '../context.ts';
+import { Check, Choice, Icon } from '../kit/controls.tsx';
+import { formatShort, THIN } from '../kit/format.ts';
+import { text } from '../words.ts';
+
+const words = text.look;
+
+export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden: boolean; forced: boolean }) {
+  const { look, view } = useUi().app.state;
+  const [open, setOpen] = useState(false);
+  const root = useRef<HTMLDivElement>(null);
+  const id = useId();
+  const close = () => {
+    setOpen(false);
+    root.current?.querySelector('button')?.focus();
+  };
+
+  useEffect(() => {
+    if (!open) return;
+    root.current?.querySelector<HTMLElement>('.view-menu-body :is(input, select)')?.focus();
+    const outside = (event: Event) => {
+      if (!root.current?.contains(event.target as Node)) setOpen(false);
+    };
+    document.addEventListener('pointerdown', outside);
+    return () => document.removeEventListener('pointerdown', outside);
+  }, [open]);
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (!open) return;
+    event.stopPropagation();
+    if (event.key === 'Escape') {
+      event.preventDefault();
+      close();
+    }
+  };
+  const onFocusOut = (event: FocusEvent) => {
+    if (event.relatedTarget && !root.current?.contains(event.relatedTarget as Node)) setOpen(false);
+  };
+
+  return (
+    <div class="segments view-menu" ref={root} onKeyDown={onKeyDown} onFocusOut={onFocusOut}>
+      <button
+        type="button"
+        class="toggle view-menu-button"
+        aria-expanded={open}
+        aria-controls={id}
+        data-testid="view-menu"
+        onClick={() => setOpen(!open)}
+      >
+        {words.menu}
+        <Icon name="down" />
+      </button>
+      <div id={id} class="view-menu-body" role="group" aria-label={words.menu} hidden={!open}>
+        <Check
+          label={words.names}
+          checked={look.names.value}
+          testId="look-names"
+          onChange={(on) => {
+            look.names.value = on;
+          }}
+        />
+        <Check
+          label={words.frames}
+          checked={look.frames.value}
+          testId="look-frames"
+          onChange={(on) => {
+            look.frames.value = on;
+          }}
+        />
+        {closeUp && (
+          <Check
+            label={words.inset}
+            checked={look.inset.value}
+            testId="look-inset"
+            onChange={(on) => {
+              look.inset.value = on;
+            }}
+          />
+        )}
+        {ridden && view.value === 'rider' && (
+          <Check
+            label={words.level}
+            checked={look.level.value}
+            testId="look-level"
+            onChange={(on) => {
+              look.level.value = on;
+            }}
+          />
+        )}
+        {forced && <ForceScale />}
+        <Choice
+          label={words.quality}
+          value={look.quality.value}
+          testId="look-quality"
+          options={words.qualities}
+          onChange={(quality) => {
+            look.quality.value = quality as typeof look.quality.value;
+          }}
+        />
+      </div>
+    </div>
+  );
+}
+
+function ForceScale() {
+  const { look } = useUi().app.state;
+  const id = useId();
+  const at = look.metresPerNewton.value;
+  return (
+    <div class="view-menu-scale">
+      <label for={id}>{words.forceScale}</label>
+      <output for={id}>
+        {formatShort(100 * at, 2)}
+        {THIN}cm/N
+      </output>
+      <input
+        id={id}
+        type="range"
+        min="0"
+        max={FORCE_SCALES.length - 1}
+        step="1"
+        value={scaleIndex(at)}
+        aria-valuetext={words.perNewton(formatShort(100 * at, 2))}
+        data-testid="force-scale"
+        onInput={(event) => {
+          look.metresPerNewton.value = FORCE_SCALES[Number(event.currentTarget.value)]!;
+        }}
+      />
+    </div>
+  );
+}

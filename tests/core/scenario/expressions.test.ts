@@ -1,0 +1,310 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compileExpression, evaluateNumber, ExpressionError } from '../../../src/core/scenario/expressions.ts';
+
+const of = (text: string) => compileExpression(text, { variables: ['t'] });
+function refusal(text: string | number, variables: readonly string[] = ['t']): ExpressionError {
+  try {
+    compileExpression(text, { variables });
+  } catch (error) {
+    if (error instanceof ExpressionError) return error;
+    throw error;
+  }
+  throw new Error(`"${text}" was accepted`);
+}
+
+describe('values', () => {
+  it.each([
+    ['45 deg', Math.PI / 4],
+    ['45°', Math.PI / 4],
+    ['−10 °', -Math.PI / 18],
+    ['2π', 2 * Math.PI],
+    ['2×3·4', 24],
+    ['1/2 pi', Math.PI / 2],
+    ['-2^2', -4],
+    ['2^-1', 0.5],
+    ['2^3^2', 512],
+    ['2**3', 8],
+    ['1e-3', 1e-3],
+    ['.5', 0.5],
+    ['1 > 0 ? 7 : 8', 7],
+    ['max(1, 3, 2)', 3],
+    ['hypot(3, 4)', 5],
+    ['atan2(1, -1)', (3 * Math.PI) / 4],
+    ['mod(-1, 3)', 2],
+    ['tau', 2 * Math.PI],
+    ['1 rad', 1],
+    ['(0 < 1 < 2) + (3 == 3)', 2],
+  ])('%s', (text, value) => expect(evaluateNumber(text)).toBeCloseTo(value, 14));
+
+  it('the disturbance and the gait of the specification', () => {
+    const push = of('22*exp(-10*(t-8)^2) - 22*exp(-10*(t-12)^2)');
+    expect(push.evaluate(8)).toBeCloseTo(22, 12);
+    expect(push.evaluate(12)).toBeCloseTo(-22, 12);
+    expect(of('20 deg * sin(2*pi*1.5*t)').evaluate(1 / 6)).toBeCloseTo(Math.PI / 9, 14);
+    expect(of('20 deg * sin(2*pi*1.5*t)').derivative(0)).toBeCloseTo((Math.PI / 9) * 3 * Math.PI, 12);
+  });
+
+  it('knows what is constant', () => {
+    expect(of('2 pi').constant).toBe(true);
+    expect(of('0 * t').constant).toBe(false);
+    expect(compileExpression(3, { variables: [] })).toMatchObject({ constant: true });
+  });
+});
+
+/** Smooth formulas of t whose values stay moderate. */
+const formula = fc.letrec<{ node: string }>((tie) => ({
+  node: fc.oneof(
+    { maxDepth: 5, withCrossShrink: true },
+    fc.constant('t'),
+    fc.integer({ min: 1, max: 9 }).map((n) => `${n / 4}`),
+    fc
+      .tuple(
+        fc.constantFrom(
+          'sin',
+          'cos',
+          'tanh',
+          'atan',
+          'sinh(tanh',
+          'exp(-cosh(tanh',
+          'log(2+cos',
+          'sqrt(2+sin',
+          'cbrt(3+sin',
+          'asin(0.5*sin',
+          'log2(3+sin',
+          '1/(2+cos',
+        ),
+        tie('node'),
+      )
+      .map(([f, a]) => `${f}(${a})${')'.repeat((f.match(/\(/g) ?? []).length)}`),
+    fc.tuple(tie('node'), fc.constantFrom(' + ', ' - ', '*'), tie('node')).map(([a, op, b]) => `(${a}${op}${b})`),
+    fc.tuple(tie('node'), fc.constantFrom('2', '3')).map(([a, n]) => `(sin(${a}))^${n}`),
+    fc.tuple(tie('node'), tie('node')).map(([a, b]) => `(2+sin(${a}))^tanh(${b})`),
+    fc.tuple(tie('node'), tie('node')).map(([a, b]) => `atan2(2+cos(${a}), sin(${b}))`),
+    fc.tuple(tie('node'), tie('node')).map(([a, b]) => `hypot(1, ${a}, ${b})`),
+    fc.tuple(tie('node'), tie('node')).map(([a, b]) => `(t > 10 ? ${a} : ${b})`),
+  ),
+})).node;
+
+describe('derivatives', () => {
+  it('agree with central differences', () => {
+    fc.assert(
+      fc.property(
+        formula.filter((text) => text.length < 400),
+        fc.double({ min: -1, max: 1, noNaN: true }),
+        (text, t) => {
+          const f = of(text);
+          const at = (h: number) => (f.evaluate(t + h) - f.evaluate(t - h)) / (2 * h);
+          // Richardson's step leaves an error of order h^4; where even its own two steps disagree nothing can be said.
+          const [coarse, fine] = [at(2e-3), at(1e-3)];
+          const difference = (4 * fine - coarse) / 3;
+          fc.pre(Number.isFinite(difference) && Math.abs(coarse - fine) < 1e-3 * (1 + Math.abs(fine)));
+          const scale = 1 + Math.abs(difference) + Math.abs(f.evaluate(t));
+          expect(Math.abs(f.derivative(t) - difference) / scale).toBeLessThan(1e-4);
+        },
+      ),
+      { numRuns: 500 },
+    );
+  });
+
+  it.each([
+    ['t^3', 2, 12],
+    ['t^t', 1, 1],
+    ['2^t', 0, Math.LN2],
+    ['sqrt(0*t)', 0, 0],
+    ['abs(t)', -2, -1],
+    ['floor(t)', 0.5, 0],
+    ['mod(t, 2)', 5.5, 1],
+    ['max(t, 2*t)', 1, 2],
+    ['min(t, 2*t)', 1, 1],
+    ['log10(t)', 1, 1 / Math.LN10],
+    ['acos(t)', 0, -1],
+    ['tan(t)', 0, 1],
+    ['t^0', 0, 0],
+    ['t^2', 0, 0],
+    ['-(+t)', 1, -1],
+    ['t > 1', 1, 0],
+    ['sign(t)', 1, 0],
+  ])('of %s at %f', (text, t, slope) => expect(of(text).derivative(t)).toBeCloseTo(slope, 12));
+});
+
+describe('texts of strangers', () => {
+  const HOSTILE = [
+    'constructor',
+    '__proto__',
+    'a.b',
+    't.constructor',
+    'sin.constructor("return 1")()',
+    'f(x)=x',
+    'f(t)=t',
+    't=1',
+    'import("x")',
+    'import(1)',
+    'evaluate(1)',
+    'parse(1)',
+    'createUnit(1)',
+    '[1,2]',
+    '[1,2][1]',
+    '{a:1}',
+    '"x"',
+    "'x'",
+    '`x`',
+    '1:3',
+    '1;2',
+    '1\n2',
+    'toString()',
+    'hasOwnProperty(1)',
+    'this',
+    'window',
+    'process',
+    'globalThis',
+    't!',
+    "t'",
+    't#1',
+    '5%',
+    'true',
+    'null',
+    'undefined',
+    'NaN',
+    'Infinity',
+    'i',
+    'end',
+    '1 to 2',
+    '1 and 2',
+    'not 1',
+    '0x',
+    '\\',
+    '$',
+    '@',
+    '😀',
+    '\u0000',
+    'valueOf',
+    '10^10^10',
+    '1/0',
+    '0/0',
+    't + 1/0',
+    '1e999',
+    'sqrt(-1)',
+    '',
+    '   ',
+    '()',
+    '(',
+    ')',
+    ')(',
+    '1 +',
+    'sin',
+    'sin()',
+    'sin(1, 2)',
+    'sin 3',
+    '1 2',
+    '0,5',
+    't(3)',
+    'pow(1)',
+    'factorial(5)',
+    'random()',
+    'map(1)',
+    'sin(constructor)',
+    'max()',
+  ];
+  it.each(HOSTILE)('%j is refused', (text) => {
+    const error = refusal(text);
+    expect(error.message.length).toBeGreaterThan(5);
+    if (error.position !== null) expect(error.position).toBeLessThanOrEqual(text.length);
+  });
+
+  it.each([NaN, Infinity, -Infinity])('%f is refused', (x) => expect(refusal(x).message).toMatch(/finite/));
+
+  it.each([
+    ['foo + 1', 0, 'unknown name "foo"; known: t, pi'],
+    ['1 + foo', 4, 'unknown name "foo"'],
+    ['45° + foo', 6, '(at character 7)'],
+    ['2*sen(t)', 2, 'unknown function "sen"'],
+    ['(1 + 2', 6, '")" is missing'],
+    ['1 + * 2', 4, 'Value expected'],
+    ['0,5', 1, 'decimals are written with a point'],
+    ['2 cos', 2, 'write cos(…)'],
+    ['t(3)', 0, 'write t * (…)'],
+    ['1 + a.b', 4, 'unknown name "a"'],
+    ['5%', 1, 'mod(a, b)'],
+    ['1 + sin(1, 2)', 4, 'sin takes 1 argument, not 2'],
+  ])('%j is refused at character %i', (text, position, message) => {
+    expect(refusal(text)).toMatchObject({ position, message: expect.stringContaining(message) });
+  });
+
+  it('t has no place in a constant', () => {
+    expect(refusal('2*t', [])).toMatchObject({ position: 2, message: expect.stringContaining('constant') });
+    expect(() => evaluateNumber('t')).toThrow(ExpressionError);
+  });
+
+  it('long, large and deep ones are refused before they cost anything', () => {
+    expect(refusal('1'.repeat(1001)).message).toMatch(/1001 characters/);
+    expect(refusal('1+'.repeat(400) + '1').message).toMatch(/more than 200 parts/);
+    for (const deep of [
+      '('.repeat(400) + 't' + ')'.repeat(400),
+      '-'.repeat(900) + 't',
+      `${'t^'.repeat(400)}t`,
+      '1?'.repeat(150) + 't' + ':1'.repeat(150),
+      'sin('.repeat(150) + 't' + ')'.repeat(150),
+    ]) {
+      expect(refusal(deep).message).toMatch(/nested deeper|more than 200 parts/);
+    }
+  });
+
+  it('nested functions cost their length, not two to its power', () => {
+    for (const [open, close] of [
+      ['max(0,', ')'],
+      ['mod(', ',9)'],
+      ['hypot(1,', ')'],
+      ['atan2(', ',2)'],
+    ]) {
+      const f = of(`${open!.repeat(55)}t${close!.repeat(55)}`);
+      expect(f.evaluate(1)).not.toBeNaN();
+      expect(f.derivative(1)).not.toBeNaN();
+    }
+  });
+
+  it('anything else is a number or an ExpressionError', () => {
+    const piece = fc.oneof(
+      fc.constantFrom(
+        't',
+        'pi',
+        'sin',
+        '(',
+        ')',
+        '+',
+        '-',
+        '*',
+        '/',
+        '^',
+        '<',
+        '==',
+        '?',
+        ':',
+        ',',
+        ' ',
+        '1',
+        '2.5',
+        'deg',
+        '°',
+        'mod',
+        '[',
+        '.',
+        '"',
+        '=',
+        'x',
+        '!',
+      ),
+      fc.string({ maxLength: 3 }),
+    );
+    fc.assert(
+      fc.property(fc.array(piece, { maxLength: 30 }), (pieces) => {
+        try {
+          expect(typeof of(pieces.join('')).evaluate(0.5)).toBe('number');
+        } catch (error) {
+          if (!(error instanceof ExpressionError)) throw error;
+        }
+      }),
+      { numRuns: 1000 },
+    );
+  });
+});

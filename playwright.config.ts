@@ -36,7 +36,7 @@ export default defineConfig({
     contextOptions: { reducedMotion: 'reduce' },
     launchOptions: {
       // Empty: the browser that Playwright manages. It adds --no-sandbox itself.
-      executablePath: process.env.RIPSTIK_BROWSER || undefined,
+      ...(process.env.RIPSTIK_BROWSER ? { executablePath: process.env.RIPSTIK_BROWSER } : {}),
       env: { ...(process.env as Record<string, string>), LIBGL_ALWAYS_SOFTWARE: '1' },
       args: [
         ...gl,

@@ -41,6 +41,13 @@ export default defineConfig({
   test: {
     include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright
     environment: 'node',
+    coverage: {
+      provider: 'v8',
+      include: ['src/**/*.{ts,tsx}'],
+      exclude: ['**/*.generated.ts', '**/*.{test,spec}.{ts,tsx}'],
+      reporter: ['text-summary', 'json-summary'],
+      reportsDirectory: '.cache/coverage',
+    },
     testTimeout: 120_000, // no test asserts a time; this one only ends a test that hangs
     hookTimeout: 120_000,
     maxWorkers: '100%', // by default one core is left idle, on small machines half of them

@@ -80,7 +80,7 @@ export function createLinePlot(place: HTMLElement, options: PlotOptions): LinePl
             label: s.label,
             stroke: s.color,
             width: 1.5,
-            dash: s.dash ? [...s.dash] : undefined,
+            ...(s.dash ? { dash: [...s.dash] } : {}),
             points: { show: false },
             spanGaps: true,
           })),

@@ -67,7 +67,7 @@ export function createLocusPlot(
         ...curves.map(({ color, dash, width }) => ({
           stroke: color,
           width: width ?? 1.5,
-          dash: dash ? [...dash] : undefined,
+          ...(dash ? { dash: [...dash] } : {}),
           points: { show: false },
           spanGaps: false,
           pxAlign: 0,

@@ -5,7 +5,7 @@ import type { Continuation, RunCounts, RunEnd } from '../core/simulation/simulat
 
 /** Page to worker. Every message names the run it belongs to, so that nothing of an old run is taken for the new. */
 export type ToWorker =
-  | { type: 'start'; run: number; scenario: Scenario; from?: Continuation; live?: Live | undefined }
+  | { type: 'start'; run: number; scenario: Scenario; from?: Continuation | undefined; live?: Live | undefined }
   | { type: 'cancel'; run: number }
   | { type: 'push'; run: number; live: Live };
 

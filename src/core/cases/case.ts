@@ -7,16 +7,16 @@ export interface Case {
   /** The figure or paper it reproduces, or empty. */
   source: string;
   /** Figures of the report that it reproduces, e.g. `Fig. 8 to 10`. */
-  figure?: string;
+  figure?: string | undefined;
   /** Section of the report. */
-  chapter?: string;
+  chapter?: string | undefined;
   /** One line: what to look at. */
   look: string;
   scenario: ScenarioFile;
   /** Numbers known from elsewhere, which the run meets within their tolerance. */
-  published?: readonly Published[];
+  published?: readonly Published[] | undefined;
   /** The moment and view that tell what it is about. */
-  picture?: Shot;
+  picture?: Shot | undefined;
   /** Figures of the report that are views of the scene. */
   figures?: readonly (Shot & { title: string })[];
   /** What to plot; a figure of the report on its own axes. */

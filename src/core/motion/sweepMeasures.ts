@@ -39,7 +39,6 @@ export function extrasFor(measures: readonly SweepMeasure[]): string[] {
 /** Measures a run chunk by chunk, so that no row is kept. */
 export class RunMeasurer {
   private readonly measures: readonly SweepMeasure[];
-  private readonly columns: readonly string[];
   private readonly values: Float64Array;
   private readonly places: Int32Array;
   private readonly ground: readonly number[];
@@ -65,7 +64,6 @@ export class RunMeasurer {
     q: Float64Array,
   ) {
     this.measures = measures;
-    this.columns = columns;
     const at = (name: string): number => columns.indexOf(name);
     this.places = Int32Array.from(measures, (m) => ('column' in m ? at(m.column) : -1));
     this.values = Float64Array.from(measures, ({ kind }) =>

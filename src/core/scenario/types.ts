@@ -10,7 +10,7 @@ export interface LqrControl {
   Q?: Record<string, NumberOrExpression>;
   R?: Record<string, NumberOrExpression>;
   limits?: Record<string, NumberOrExpression>;
-  schedule?: SpeedSchedule;
+  schedule?: SpeedSchedule | undefined;
 }
 
 /** Gains designed at `count` forward speeds between two (m/s) and interpolated at the speed that there is. */

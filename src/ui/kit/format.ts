@@ -74,12 +74,12 @@ export function plainText(text: string): string {
 export interface FieldRules {
   /** Bare numbers are degrees. */
   angle: boolean;
-  unit?: string;
+  unit?: string | undefined;
   /** May be empty: the value is then not named. */
   optional?: boolean;
-  min?: number;
-  max?: number;
-  positive?: boolean;
+  min?: number | undefined;
+  max?: number | undefined;
+  positive?: boolean | undefined;
   /** The draft takes a number only, no expression. */
   numeric?: boolean;
 }

@@ -15,8 +15,8 @@ export function NumberBox({
 }: {
   spec: NumberSpec;
   field: ReturnType<typeof useNumberField>;
-  testId?: string;
-  placeholder?: string;
+  testId?: string | undefined;
+  placeholder?: string | undefined;
   id: string;
 }) {
   const shownRest = spec.rest === undefined ? '' : formatShort(toShown(spec.rest, spec.angle), 6);

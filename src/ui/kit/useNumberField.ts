@@ -14,9 +14,9 @@ export interface NumberSpec extends FieldRules {
   /** The case's value; a dot shows where the draft differs. */
   base?: NumberOrExpression | undefined;
   /** What is in force when the field is empty, SI. */
-  rest?: number;
+  rest?: number | undefined;
   /** One arrow press, in the unit shown. */
-  step?: number;
+  step?: number | undefined;
   commit(value: NumberOrExpression | undefined): void;
 }
 

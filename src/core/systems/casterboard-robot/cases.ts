@@ -1,10 +1,10 @@
-import type { Case } from '../../cases/case.ts';
+import type { Case, CasePlot } from '../../cases/case.ts';
 
 const paper = 'Kinugasa, Ishikawa, Sugimoto and Osuka 2013, recomputed from its Lagrangian with J = m1 l1² / 3';
 const amplitude = Math.PI / 9;
 const w = 6.4;
 
-const plots: Case['plots'] = [
+const plots: readonly CasePlot[] = [
   { title: 'Path', x: 'x', y: ['y'], unit: 'm', equal: true },
   { title: 'Plates', x: 't', y: ['phi_f', 'phi_r'], unit: 'deg' },
   { title: 'Heading', x: 't', y: ['theta'], unit: 'deg' },

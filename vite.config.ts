@@ -6,7 +6,7 @@ const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.
 
 /** A system's dynamics are a file named after it, so that sizes and network logs can be read. */
 const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): string =>
-  `assets/${/systems\/([\w-]+)\/system\.ts$/.exec(facadeModuleId ?? '')?.[1] ?? '[name]'}-[hash].js`;
+  `assets/${/systems\/([\w-]+)\/equations\.generated\.ts$/.exec(facadeModuleId ?? '')?.[1] ?? '[name]'}-[hash].js`;
 
 /** KaTeX's style sheet names each font three times; every browser that runs this page reads woff2. */
 const woff2Only = {

@@ -2,12 +2,12 @@
 import { readFileSync } from 'node:fs';
 import Papa from 'papaparse';
 import { point, type PointReport } from '../src/cli/point.ts';
-import { cases } from '../src/core/cases/cases.ts';
+import { cases } from '../src/core/systems/registry.ts';
 import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { judgeMotion } from '../src/core/simulation/judge.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
-import { systems } from '../src/core/systems/registry.ts';
+import { systems } from '../src/core/systems/all.ts';
 import { writeCsv } from '../src/csv/csv.ts';
 import { CsvByteReader } from '../src/csv/csvBytes.ts';
 

@@ -1,13 +1,13 @@
 // npm run cases: runs every built-in case and writes docs/cases.md with its numbers and docs/cases/<id>.svg with its plots.
 import { mkdirSync, writeFileSync } from 'node:fs';
-import { cases, type Case } from '../src/core/cases/cases.ts';
-import type { CasePlot } from '../src/core/cases/case.ts';
+import { cases } from '../src/core/systems/registry.ts';
+import type { Case, CasePlot } from '../src/core/cases/case.ts';
 import { caseColumns, measured } from '../src/core/cases/measures.ts';
 import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { compileExpression } from '../src/core/scenario/expressions.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
-import { systems } from '../src/core/systems/registry.ts';
+import { systems } from '../src/core/systems/all.ts';
 import { plotSheet, type LinePlotSpec } from '../src/charts/svgPlot.ts';
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));

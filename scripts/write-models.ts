@@ -1,13 +1,13 @@
 /** Writes public/models/<body>.mdl and .mat for the default board; `--check` compares instead. */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { generateModels } from '../src/core/geometry/index.ts';
+import { loadDrawing } from '../src/core/systems/registry.ts';
 import { ripstikMeta } from '../src/core/systems/ripstik/meta.ts';
 
 const folder = new URL('../public/models/', import.meta.url);
-const defaults = Object.fromEntries(ripstikMeta.parameters.map((p) => [p.name, p.default]));
+const { pairs } = await loadDrawing(ripstikMeta, {});
 
-const files = Object.entries(generateModels(defaults)).flatMap(([name, { mdl, mat }]) => [
+const files = Object.entries(pairs).flatMap(([name, { mdl, mat }]) => [
   { url: new URL(`${name}.mdl`, folder), text: mdl },
   { url: new URL(`${name}.mat`, folder), text: mat },
 ]);

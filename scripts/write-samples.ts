@@ -1,11 +1,11 @@
 /** Writes the recorded motions in public/data from the built-in cases; `--check` compares the files instead. */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { cases } from '../src/core/cases/cases.ts';
+import { cases } from '../src/core/systems/registry.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../src/core/scenario/types.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
-import { systems } from '../src/core/systems/registry.ts';
+import { systems } from '../src/core/systems/all.ts';
 import { csvHeader } from '../src/csv/csv.ts';
 
 /** The report's player drew 60 rows a second. */

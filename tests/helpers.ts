@@ -3,7 +3,7 @@ export { seeded } from '../src/cli/bench/states.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { Scenario } from '../src/core/scenario/types.ts';
 import { Simulation, type RunCounts, type RunEnd } from '../src/core/simulation/simulation.ts';
-import { systems } from '../src/core/systems/registry.ts';
+import { systems } from '../src/core/systems/all.ts';
 
 export const metas = Object.fromEntries(Object.entries(systems).map(([id, s]) => [id, s.meta]));
 

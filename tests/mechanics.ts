@@ -1,8 +1,8 @@
 import { ConstrainedSystem } from '../src/core/mechanics/constrainedSystem.ts';
 import { consistentStart } from '../src/core/mechanics/consistentStart.ts';
-import { actuationOf } from '../src/core/mechanics/forcing.ts';
-import type { Forcing } from '../src/core/mechanics/constrainedSystem.ts';
-import { systems } from '../src/core/systems/registry.ts';
+import { actuationOf } from '../src/core/simulation/actuation.ts';
+import type { Forcing } from '../src/core/mechanics/forcing.ts';
+import { systems } from '../src/core/systems/all.ts';
 import { scenarioOf } from './helpers.ts';
 
 /** A scenario's mechanics with its consistent start; `forcing` in place of its inputs where it is given. */

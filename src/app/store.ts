@@ -1,9 +1,7 @@
 import { batch, computed, effect, signal } from '@preact/signals';
-import { cases } from '../core/cases/cases.ts';
-import { canRide, hasCloseUp } from '../core/geometry/roster.ts';
+import { cases, systemViews } from '../core/systems/registry.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
-import { systemViews } from '../core/systems/views.ts';
 import type { Comparison } from './runs/comparison.ts';
 import { ControlClient } from '../compute/controlClient.ts';
 import { CsvClient } from '../compute/csvClient.ts';
@@ -204,8 +202,9 @@ function initialState({ dark, roomy }: Preferences): AppState {
 
 /** A look that another system does not offer is no view. */
 function settleView({ motion, view }: AppState): void {
-  const id = motion.peek()?.system.meta.id;
-  if (id !== undefined && ((view.peek() === 'caster' && !hasCloseUp(id)) || (view.peek() === 'rider' && !canRide(id))))
+  const meta = motion.peek()?.system.meta;
+  if (!meta) return;
+  if ((view.peek() === 'caster' && !meta.views?.closeUp) || (view.peek() === 'rider' && !meta.views?.ridden))
     view.value = 'orbit';
 }
 

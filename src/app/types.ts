@@ -11,7 +11,7 @@ import type { Sweep } from './runs/sweep.ts';
 import type { Studio } from './files/exportRenderer.ts';
 import type { ScenarioFile, Scenario } from '../core/scenario/types.ts';
 import type { Push, PushRecord } from '../core/simulation/push.ts';
-import type { SystemView } from '../core/systems/types.ts';
+import type { SystemView } from '../core/model/system.ts';
 import type { Trajectory } from '../core/motion/trajectory.ts';
 
 /** One change that the consistent start made: a value that was named (or rest) and what it became. */

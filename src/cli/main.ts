@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { StartError } from '../core/mechanics/consistentStart.ts';
-import { cases } from '../core/cases/cases.ts';
+import { cases } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
-import { systems } from '../core/systems/registry.ts';
+import { systems } from '../core/systems/all.ts';
 import { bench } from './bench.ts';
 import { point } from './point.ts';
 import { simulate } from './simulate.ts';

@@ -1,7 +1,7 @@
 import { feedbackOf } from '../core/control/design/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
-import type { System } from '../core/systems/types.ts';
+import type { System } from '../core/model/system.ts';
 
 /** What `point` prints; matrices as rows. */
 export interface PointReport {

@@ -2,7 +2,7 @@ import { closeSync, openSync, writeSync } from 'node:fs';
 import { feedbackOf } from '../core/control/design/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
-import type { System } from '../core/systems/types.ts';
+import type { System } from '../core/model/system.ts';
 import { writeCsv } from '../csv/csv.ts';
 import { UsageError, pathOf } from './usage.ts';
 

@@ -1,7 +1,7 @@
 import { analyse } from '../core/control/analysis.ts';
 import { scenarioLocus } from '../core/control/locus/scenarioLocus.ts';
 import { ScenarioError } from '../core/scenario/types.ts';
-import { loadSystem } from '../core/systems/loaders.ts';
+import { loadSystem } from '../core/systems/registry.ts';
 import type { ControlReply, ControlRequest } from './controlProtocol.ts';
 
 /** Progress is told about as often as a screen is drawn. */

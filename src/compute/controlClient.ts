@@ -1,7 +1,7 @@
 import type { ControlAnalysis } from '../core/control/analysis.ts';
 import { checkScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
-import type { SystemMeta } from '../core/systems/types.ts';
+import type { SystemMeta } from '../core/model/system.ts';
 import type { ControlReply, ControlRequest } from './controlProtocol.ts';
 
 /** A value, or why there is none: `path` is the scenario's key that it is about, empty where it is none of them. */

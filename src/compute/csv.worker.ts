@@ -1,8 +1,7 @@
 import { checkScenario } from '../core/scenario/schema.ts';
 import type { Scenario } from '../core/scenario/types.ts';
 import { judgeMotion, type Judgement } from '../core/simulation/judge.ts';
-import { loadSystem } from '../core/systems/loaders.ts';
-import { systemViews } from '../core/systems/views.ts';
+import { loadSystem, systemViews } from '../core/systems/registry.ts';
 import { csvHeader, csvRows, type CsvResult } from '../csv/csv.ts';
 import { CsvByteReader } from '../csv/csvBytes.ts';
 

@@ -1,7 +1,7 @@
 import type { LocusRequest, ScenarioLocus } from '../core/control/locus/scenarioLocus.ts';
 import { checkScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
-import type { SystemMeta } from '../core/systems/types.ts';
+import type { SystemMeta } from '../core/model/system.ts';
 import type { ControlReply, ControlRequest } from './controlProtocol.ts';
 import type { Answer } from './controlClient.ts';
 

@@ -1,6 +1,6 @@
 import { ScenarioError } from '../core/scenario/types.ts';
 import { EXTRA_COLUMNS, Simulation } from '../core/simulation/simulation.ts';
-import { loadSystem } from '../core/systems/loaders.ts';
+import { loadSystem } from '../core/systems/registry.ts';
 import type { FromWorker, Live, ToWorker } from './protocol.ts';
 
 /** Computing time between looks at the mailbox: a cancel is answered well within 100 ms. */

@@ -2,8 +2,7 @@ import { extrasFor, RunMeasurer } from '../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../core/scenario/schema.ts';
 import { ScenarioError } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
-import { loadSystem } from '../core/systems/loaders.ts';
-import { systemViews } from '../core/systems/views.ts';
+import { loadSystem, systemViews } from '../core/systems/registry.ts';
 import type { SweepReply, SweepRequest } from './sweepProtocol.ts';
 
 /** Rows after which they are measured and let go. */

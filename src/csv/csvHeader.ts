@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../core/systems/types.ts';
+import type { SystemMeta } from '../core/model/system.ts';
 import { factorOf, RIGHT_UNITS, type Kind } from './csvUnits.ts';
 
 type Systems = Readonly<Record<string, SystemMeta>>;

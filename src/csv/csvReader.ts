@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../core/systems/types.ts';
+import type { SystemMeta } from '../core/model/system.ts';
 import { namesColumns, readHeader, type ColumnUse } from './csvHeader.ts';
 import { MOST_NUMBERS, RowStore, type CsvIssue } from './csvRows.ts';
 import { decimalsOf, eachRecord, LineSource, LONGEST_LINE, separatorOf, withoutComments } from './csvText.ts';

@@ -4,8 +4,9 @@ import { ghostsAt } from '../app/runs/ghosts.ts';
 import type { Studio } from '../app/files/exportRenderer.ts';
 import type { Stage } from '../app/runs/stage.ts';
 import type { App, Motion } from '../app/types.ts';
-import { boardBodies, boardShape, boardStage } from '../core/geometry/board.ts';
-import type { Drawing } from '../core/geometry/drawing.ts';
+import { castOf, type Drawing, valueOf } from '../core/geometry/drawing.ts';
+import { modelsOf } from '../core/model/system.ts';
+import { loadDrawing, shippedMeshes } from '../core/systems/registry.ts';
 import type { Dressed, MeshPair, SceneOptions, SceneView } from '../scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
@@ -161,7 +162,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     const own = app.state.meshes.value;
     if (!motion) return;
     const { id } = motion.system.meta;
-    const shape = id === 'ripstik' ? boardShape.map((name) => motion.parameters[name]) : motion.parameters;
+    const shape = shippedMeshes(id)?.shapedBy.map((name) => motion.parameters[name]) ?? motion.parameters;
     const key = JSON.stringify([id, shape, [...own]]);
     if (key === wearing) return;
     wearing = key;
@@ -196,19 +197,15 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
   return dressed;
 }
 
-/** The board in its default proportions wears the shipped files; everything else is drawn from its parameters. */
+/** In its default proportions a system may wear shipped files; else it is drawn from its parameters. */
 async function drawingFor({ system: { meta }, parameters }: Motion): Promise<Drawing> {
-  const standard =
-    meta.id === 'ripstik' &&
-    boardShape.every((name) => parameters[name] === meta.parameters.find((p) => p.name === name)?.default);
-  if (!standard) return (await import('../core/geometry/drawings.ts')).drawingOf(meta, parameters);
-  const bodies = boardBodies(parameters);
-  return {
-    pairs: await loadModels([...new Set(bodies.map(({ model }) => model))]),
-    bodies,
-    fixtures: [],
-    stage: boardStage,
-  };
+  const shipped = shippedMeshes(meta.id);
+  const standard = shipped?.shapedBy.every(
+    (name) => parameters[name] === meta.parameters.find((p) => p.name === name)?.default,
+  );
+  if (!shipped || !standard) return loadDrawing(meta, parameters);
+  const cast = castOf(meta, shipped.layout(valueOf(meta, parameters)));
+  return { pairs: await loadModels(modelsOf(meta)), ...cast, fixtures: [] };
 }
 
 async function loadModels(names: readonly string[]): Promise<Record<string, MeshPair>> {

@@ -5,7 +5,7 @@ import { computed, signal } from '@preact/signals';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { App, CaseInfo } from '../app/types.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
-import type { SystemView } from '../core/systems/types.ts';
+import type { SystemView } from '../core/model/system.ts';
 import { sameContent } from '../app/state/draft.ts';
 import type { Tool } from './tool.ts';
 

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from '@playwright/test';
-import { systemViews } from '../../src/core/systems/views.ts';
+import { systemViews } from '../../src/core/systems/registry.ts';
 import { differingPixels, drawn, ended, openPage, pause, picture, seek, type, VIEWPORT } from './helpers.ts';
 
 test.use({ viewport: VIEWPORT });

@@ -5,7 +5,7 @@ import { LocusClient } from '../../src/compute/locusClient.ts';
 import { analyse } from '../../src/core/control/analysis.ts';
 import { scenarioLocus } from '../../src/core/control/locus/scenarioLocus.ts';
 import type { ScenarioFile } from '../../src/core/scenario/types.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import type { ControlReply, ControlRequest } from '../../src/compute/controlProtocol.ts';
 import { metas } from '../helpers.ts';
 

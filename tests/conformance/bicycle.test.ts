@@ -5,7 +5,7 @@ import { describe, expect, test } from 'vitest';
 import { controlReport } from '../../src/core/control/design/report.ts';
 import { scenarioLocus } from '../../src/core/control/locus/scenarioLocus.ts';
 import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
 interface Benchmark {

@@ -1,10 +1,10 @@
 // Every built-in case runs, ends as it should, and meets the numbers that are known about it.
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { caseColumns, measured } from '../../src/core/cases/measures.ts';
 import { methodSets } from '../../src/core/cases/methodSets.ts';
 import { compileExpression } from '../../src/core/scenario/expressions.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
 /** Where runs stop that do not reach their duration. */

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { runOf, type FinishedRun } from '../helpers.ts';
 import { loose, pairs, type Pair } from './pairs.ts';
 

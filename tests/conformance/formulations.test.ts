@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { kernelFile, kernelSizes, kernelText } from '../../scripts/write-kernels.ts';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
-import { actuationOf } from '../../src/core/mechanics/forcing.ts';
+import { actuationOf } from '../../src/core/simulation/actuation.ts';
 import { blockOrder } from '../../src/core/mechanics/formulations/blockOrder.ts';
 import { BlockTriangular } from '../../src/core/mechanics/formulations/blockTriangular.ts';
 import type { Formulation } from '../../src/core/mechanics/formulations/contract.ts';
@@ -13,7 +13,7 @@ import { createFormulation } from '../../src/core/mechanics/formulations/registr
 import { Projection } from '../../src/core/mechanics/projection.ts';
 import { qrFull } from '../../src/core/linalg/qr.ts';
 import { loopKernels, saddleKernels } from '../../src/core/linalg/saddle.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf, scenarioOf, seeded } from '../helpers.ts';
 
 const system = systems['ripstik']!;

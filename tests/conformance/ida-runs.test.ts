@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { reportMethods } from '../../src/core/cases/methodSets.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { Simulation } from '../../src/core/simulation/simulation.ts';
 import { runOf, scenarioOf, type FinishedRun } from '../helpers.ts';
 

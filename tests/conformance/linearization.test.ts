@@ -3,7 +3,7 @@ import { compareOrders } from '../../src/core/control/linearization/linearize.ts
 import { lqrOf, linearizedInputs, operatingPoint } from '../../src/core/control/design/scenarioControl.ts';
 import { controlReport } from '../../src/core/control/design/report.ts';
 import { eigenvalues } from '../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
 /** Steady motions of every system: at rest by default, and where the system rolls, on its way. */

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { MujocoBoard } from '../../tools/bench/mujoco.ts';
 import { scenarioOf, seeded } from '../helpers.ts';
 

@@ -4,8 +4,8 @@ import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts
 import { PushForce } from '../../src/core/simulation/pushForce.ts';
 import type { Push, PushRecord } from '../../src/core/simulation/push.ts';
 import { Simulation } from '../../src/core/simulation/simulation.ts';
-import { systems } from '../../src/core/systems/registry.ts';
-import type { System } from '../../src/core/systems/types.ts';
+import { systems } from '../../src/core/systems/all.ts';
+import type { System } from '../../src/core/model/system.ts';
 import { scenarioOf, seeded } from '../helpers.ts';
 
 const pushable = Object.entries(systems).filter(([, system]) => system.poseJacobian);

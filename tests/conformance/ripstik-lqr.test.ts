@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { closedLoopMatrix, gainOnUnreachable, type LqrDesign } from '../../src/core/control/design/lqr.ts';
 import { lqrOf } from '../../src/core/control/design/scenarioControl.ts';
 import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { relativeDifference, spectralDistance, spectrumOf } from '../core/control/helpers.ts';
 import { runOf, scenarioOf, type FinishedRun } from '../helpers.ts';
 

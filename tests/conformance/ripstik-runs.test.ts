@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { cases } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf } from '../helpers.ts';
 
 const caseNamed = (id: string) => cases.find((c) => c.id === id)!.scenario;

@@ -5,7 +5,7 @@ import { caseColumns, measured } from '../../src/core/cases/measures.ts';
 import { controlReport } from '../../src/core/control/design/report.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { ScenarioError } from '../../src/core/scenario/types.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 
 const tight = { name: 'dop853', rtol: 1e-12, atol: 1e-12 };

@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
-import type { Forcing } from '../../src/core/mechanics/constrainedSystem.ts';
+import { cases } from '../../src/core/systems/registry.ts';
+import type { Forcing } from '../../src/core/mechanics/forcing.ts';
 import type { StateMap } from '../../src/core/mechanics/formulations/contract.ts';
 import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import type { Stepper } from '../../src/core/integrators/contract.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { motionOf } from '../../src/core/simulation/motion.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { distance, run } from '../core/integrators/problems.ts';
 import { runOf, type FinishedRun } from '../helpers.ts';
 import { mechanicsOf } from '../mechanics.ts';

@@ -3,9 +3,9 @@ import { describe, expect, test } from 'vitest';
 import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
 import { Projection } from '../../src/core/mechanics/projection.ts';
 import { cholesky } from '../../src/core/linalg/dense.ts';
-import { systems } from '../../src/core/systems/registry.ts';
-import { systemViews } from '../../src/core/systems/views.ts';
-import type { System } from '../../src/core/systems/types.ts';
+import { systems } from '../../src/core/systems/all.ts';
+import { systemViews } from '../../src/core/systems/registry.ts';
+import type { System } from '../../src/core/model/system.ts';
 import { seeded } from '../helpers.ts';
 
 interface Symmetry {

@@ -6,7 +6,7 @@ import { splitByReachability, unobservableSubspace } from '../../src/core/contro
 import { solveCare } from '../../src/core/control/design/riccati.ts';
 import { lqrOf, operatingPoint } from '../../src/core/control/design/scenarioControl.ts';
 import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { relativeDifference, spectralDistance } from '../core/control/helpers.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 

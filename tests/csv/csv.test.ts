@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { CsvReader, readCsv, writeCsv, type CsvResult } from '../../src/csv/csv.ts';
-import type { SystemMeta } from '../../src/core/systems/types.ts';
+import type { SystemMeta } from '../../src/core/model/system.ts';
 import { metas } from '../helpers.ts';
 
 const meta = metas.ripstik!;

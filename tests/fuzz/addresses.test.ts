@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { fileAddress } from '../../src/app/files/fileAddress.ts';
 import { fromText } from '../../src/app/persistence/savedWork.ts';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { collectScenarioErrors } from '../../src/core/scenario/schema.ts';
 import { decodeLink, encodeLink, LinkError } from '../../src/core/scenario/link.ts';
 import { metas } from '../helpers.ts';

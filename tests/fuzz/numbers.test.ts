@@ -6,7 +6,7 @@ import { StartError } from '../../src/core/mechanics/consistentStart.ts';
 import { FORMULATION_NAMES, METHOD_NAMES } from '../../src/core/scenario/defaults.ts';
 import { ScenarioError, type ScenarioFile } from '../../src/core/scenario/types.ts';
 import { Simulation } from '../../src/core/simulation/simulation.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 import { scenarioOf } from '../helpers.ts';
 import { runs, SEED, tally } from './tally.ts';
 

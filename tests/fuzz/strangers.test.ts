@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { afterEach, describe, expect, test } from 'vitest';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { compileExpression, ExpressionError } from '../../src/core/scenario/expressions.ts';
 import { parseScenario } from '../../src/core/scenario/schema.ts';
 import { ScenarioError } from '../../src/core/scenario/types.ts';

@@ -1,9 +1,12 @@
-// The one direction of imports: `core` knows nobody, views do not know each other, only `main` knows everyone.
+// The one direction of imports: `core` knows nobody, views do not know each other, only `main` knows everyone; nobody in a circle.
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 
-const MAY_IMPORT: Record<string, readonly string[]> = {
+type Table = Readonly<Record<string, readonly string[]>>;
+
+/** Which folder of `src` may import which. */
+const PARTS: Table = {
   core: [],
   csv: ['core'],
   compute: ['core', 'csv'],
@@ -17,37 +20,137 @@ const MAY_IMPORT: Record<string, readonly string[]> = {
   stage: ['core', 'scene', 'app'],
   main: ['core', 'csv', 'compute', 'stage', 'app', 'ui', 'features'],
 };
+/** Which folder of `src/core` may import which. */
+const CORE: Table = {
+  linalg: [],
+  model: [],
+  geometry: ['model'],
+  integrators: ['linalg'],
+  scenario: ['model'],
+  mechanics: ['linalg', 'model', 'integrators'],
+  cases: ['linalg', 'model', 'scenario'],
+  systems: ['model', 'geometry', 'cases'],
+  simulation: ['linalg', 'model', 'integrators', 'mechanics', 'scenario'],
+  motion: ['model', 'cases', 'simulation'],
+  control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
+};
 /** Packages that one folder alone imports. */
-const ONLY: Record<string, string> = { three: 'scene', uplot: 'charts', katex: 'features', mediabunny: 'features' };
+const ONLY: Readonly<Record<string, string>> = {
+  three: 'scene',
+  uplot: 'charts',
+  katex: 'features',
+  mediabunny: 'features',
+};
+/** Folders of `src` in which no file may reach itself through its imports. */
+const WITHOUT_CIRCLES = ['core'];
 
 const src = resolve('src');
-const files = readdirSync(src, { recursive: true, encoding: 'utf8' }).filter(
-  (name) => /\.tsx?$/.test(name) && !/\.(test|spec)\.tsx?$/.test(name),
-);
 /** `from '…'`, `import '…'`, `import('…')`, `new URL('…', import.meta.url)`. */
 const IMPORT = /(?:\bfrom\s*|\bimport\s*\(?\s*|\bnew URL\(\s*)['"]([^'"]+)['"]/g;
 
-/** The part of the house a file belongs to: its folder, or `main` for the entry. */
-const partOf = (path: string) =>
-  relative(src, path)
+/** What each file names in its imports. */
+const imports: ReadonlyMap<string, readonly string[]> = new Map(
+  readdirSync(src, { recursive: true, encoding: 'utf8' })
+    .filter((name) => /\.tsx?$/.test(name) && !/\.(test|spec)\.tsx?$/.test(name))
+    .map((name) => [
+      name,
+      [...readFileSync(join(src, name), 'utf8').matchAll(IMPORT)].map(([, specifier]) => specifier!),
+    ]),
+);
+
+const targetOf = (name: string, specifier: string): string => relative(src, resolve(src, dirname(name), specifier));
+
+/** The folder of `root` that a file lies in, or its own name for an entry file; null outside. */
+function partOf(name: string, root: string): string | null {
+  if (root && !name.startsWith(root + sep)) return null;
+  return relative(root, name)
     .split(sep)[0]!
     .replace(/\.tsx?$/, '');
+}
 
-function faults(name: string): string[] {
-  const path = join(src, name);
-  const part = partOf(path);
-  if (!(part in MAY_IMPORT)) return [`${name}: '${part}' is not in the table`];
-  return [...readFileSync(path, 'utf8').matchAll(IMPORT)].flatMap(([, specifier]) => {
-    if (!specifier!.startsWith('.')) {
-      const owner = ONLY[specifier!.split('/')[0]!];
-      return owner && owner !== part ? [`${name}: only ${owner} imports ${specifier}`] : [];
-    }
-    const target = partOf(resolve(dirname(path), specifier!));
-    return target === part || target === '..' || MAY_IMPORT[part]!.includes(target) ? [] : [`${name}: ${specifier}`];
+/** Imports that the table of the folders in `root` does not allow. */
+function forbidden(root: string, table: Table): string[] {
+  return [...imports].flatMap(([name, specifiers]) => {
+    const part = partOf(name, root);
+    if (part === null) return [];
+    if (!(part in table)) return [`${name}: '${part}' is not in the table`];
+    return specifiers
+      .filter((specifier) => specifier.startsWith('.'))
+      .filter((specifier) => {
+        const target = partOf(targetOf(name, specifier), root);
+        return target !== null && target !== '..' && target !== part && !table[part]!.includes(target);
+      })
+      .map((specifier) => `${name}: ${specifier}`);
   });
 }
 
-test('imports point one way', () => {
-  expect(files.length).toBeGreaterThan(10);
-  expect(files.flatMap(faults)).toEqual([]);
+/** A path through the graph that comes back to where it began, or null. */
+function circle(graph: ReadonlyMap<string, readonly string[]>): string[] | null {
+  const done = new Set<string>();
+  const path: string[] = [];
+  const visit = (node: string): string[] | null => {
+    const seen = path.indexOf(node);
+    if (seen >= 0) return [...path.slice(seen), node];
+    if (done.has(node)) return null;
+    path.push(node);
+    for (const next of graph.get(node) ?? []) {
+      const found = visit(next);
+      if (found) return found;
+    }
+    path.pop();
+    done.add(node);
+    return null;
+  };
+  for (const node of graph.keys()) {
+    const found = visit(node);
+    if (found) return found;
+  }
+  return null;
+}
+
+const files = new Map(
+  [...imports].map(([name, specifiers]) => [
+    name,
+    specifiers.filter((specifier) => specifier.startsWith('.')).map((specifier) => targetOf(name, specifier)),
+  ]),
+);
+const within = (root: string) => new Map([...files].filter(([name]) => name.startsWith(root + sep)));
+
+describe('imports point one way', () => {
+  test('there are files', () => expect(files.size).toBeGreaterThan(100));
+
+  test('between the folders of src', () => expect(forbidden('', PARTS)).toEqual([]));
+
+  test('between the folders of core', () => expect(forbidden('core', CORE)).toEqual([]));
+
+  test('a package that is one folder’s is imported there alone', () => {
+    const elsewhere = [...imports].flatMap(([name, specifiers]) =>
+      specifiers
+        .filter((specifier) => {
+          const owner = ONLY[specifier.split('/')[0]!];
+          return owner && owner !== partOf(name, '');
+        })
+        .map((specifier) => `${name}: ${specifier}`),
+    );
+    expect(elsewhere).toEqual([]);
+  });
+
+  test.each([
+    ['src', PARTS],
+    ['core', CORE],
+  ])('the table of %s allows no circle', (_, table) => expect(circle(new Map(Object.entries(table)))).toBeNull());
+
+  test.each(WITHOUT_CIRCLES)('no file of %s reaches itself', (root) => expect(circle(within(root))).toBeNull());
+
+  test('a circle would be seen', () => {
+    expect(
+      circle(
+        new Map([
+          ['a', ['b']],
+          ['b', ['c']],
+          ['c', ['b']],
+        ]),
+      ),
+    ).toEqual(['b', 'c', 'b']);
+  });
 });

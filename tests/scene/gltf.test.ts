@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { drawingOf } from '../../src/core/geometry/drawings.ts';
-import { systemViews } from '../../src/core/systems/views.ts';
+import { systemViews } from '../../src/core/systems/registry.ts';
+import { drawingOf } from '../drawings.ts';
 import { glbOf } from '../../src/scene/export/gltf.ts';
 import { readGlb, validateGlb } from '../browser/glb.ts';
 

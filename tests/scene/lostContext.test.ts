@@ -1,7 +1,7 @@
 import { type EventDispatcher, Mesh, type Object3D, Scene, ShaderMaterial, Texture } from 'three';
 import { expect, test } from 'vitest';
-import { boardBodies } from '../../src/core/geometry/board.ts';
-import { generateModels } from '../../src/core/geometry/index.ts';
+import { drawingOf } from '../drawings.ts';
+import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { Bodies } from '../../src/scene/actors/bodies.ts';
 import { Forces } from '../../src/scene/overlay/forces.ts';
 import { letGoOfUploads } from '../../src/scene/environment/lostContext.ts';
@@ -14,7 +14,8 @@ test('a context that is lost: everything in the scene drops what the old state l
   new Lights(scene, palette, 64);
   new Forces(scene, palette);
   const bodies = new Bodies(scene, palette);
-  bodies.setModels(generateModels({}), boardBodies({ casterAngle: Math.PI / 6, wheelRadius: 0.04 }));
+  const { pairs, bodies: wearers } = drawingOf(ripstikMeta, {});
+  bodies.setModels(pairs, wearers);
   const grain = new Texture();
   scene.add(new Mesh(undefined, new ShaderMaterial({ uniforms: { grain: { value: grain } } })));
 

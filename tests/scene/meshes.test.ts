@@ -1,13 +1,16 @@
 import { type Mesh, Scene } from 'three';
 import { describe, expect, test } from 'vitest';
-import { boardBodies, hubOf } from '../../src/core/geometry/board.ts';
-import { generateModels } from '../../src/core/geometry/index.ts';
+import { hubOf } from '../../src/core/systems/ripstik/drawing/layout.ts';
+import { drawingOf } from '../drawings.ts';
+import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
+import type { MeshPair } from '../../src/scene/contract.ts';
 import { Bodies, parsePair } from '../../src/scene/actors/bodies.ts';
 import { checkMaterials, checkMesh } from '../../src/scene/actors/meshText.ts';
 import { palettes } from '../../src/scene/palette.ts';
 
 const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
-const board = boardBodies({ casterAngle: Math.PI / 6, wheelRadius: 0.04 });
+const { pairs, bodies: board } = drawingOf(ripstikMeta, {});
+const models = pairs as Record<'rod' | 'front-plate' | 'back-plate' | 'caster', MeshPair>;
 
 describe('mesh files that cannot be drawn are refused by file and line', () => {
   test.each([
@@ -43,7 +46,6 @@ test('textures, which would ask the network, are left out', () => {
 });
 
 describe('the board', () => {
-  const models = generateModels({});
   const poses = new Float64Array(60);
   for (let body = 0; body < 5; body++) poses.set([body, 2, 3, 0, -1, 0, 1, 0, 0, 0, 0, 1], 12 * body);
 

@@ -1,6 +1,7 @@
 import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { boardStage } from '../../src/core/geometry/board.ts';
+import { castOf } from '../../src/core/geometry/drawing.ts';
+import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { arrowLength, LONGEST, METRES_PER_NEWTON } from '../../src/scene/overlay/forces.ts';
 import { labelStep, metreLabel } from '../../src/scene/overlay/labels.ts';
 import { finishOf } from '../../src/scene/actors/materials.ts';
@@ -66,6 +67,7 @@ describe('named views', () => {
   });
 
   test('the close-up looks at the front caster where there is one', () => {
+    const { stage: boardStage } = castOf(ripstikMeta, {});
     expect([
       subjectOf('caster', boardStage),
       subjectOf('caster', { ...boardStage, closeUp: null }),

@@ -3,7 +3,7 @@ import { Checksum, settle } from '../../src/cli/bench/measure.ts';
 import { caseNamed, timedRun } from '../../src/cli/bench/stepping.ts';
 import { otherMethods, reportMethods, type MethodChoice } from '../../src/core/cases/methodSets.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
-import { systems } from '../../src/core/systems/registry.ts';
+import { systems } from '../../src/core/systems/all.ts';
 
 /** The report's best: collocation, 5.8 s of output in 26.4 s (its Table 1). */
 export const REPORT_RATE = 5.8 / 26.4;

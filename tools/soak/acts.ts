@@ -1,6 +1,6 @@
 /** What a person does with the page, as acts drawn from a seed. Each leaves the page free for the next. */
 import { expect, type Locator, type Page } from '@playwright/test';
-import { cases } from '../../src/core/cases/cases.ts';
+import { cases } from '../../src/core/systems/registry.ts';
 import { COORDINATES, csvOf, drop } from '../../tests/browser/helpers.ts';
 
 export interface Chance {

@@ -1,8 +1,8 @@
 import { batch } from '@preact/signals';
-import { modelsOf } from '../../core/geometry/roster.ts';
+import { modelsOf } from '../../core/model/system.ts';
 import { parseScenario } from '../../core/scenario/schema.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
-import { systemViews } from '../../core/systems/views.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
+import { systemViews } from '../../core/systems/registry.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';

@@ -1,7 +1,7 @@
 /** The last work survives a reload: drafts and settings in local storage, the open file and dropped meshes in IndexedDB. */
 import { batch, effect, type Signal } from '@preact/signals';
-import { modelsOf } from '../../core/geometry/roster.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import { modelsOf } from '../../core/model/system.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { text } from '../words.ts';
 import { fromText, LOOKS, toText, workOf, type Kept, type Settings, type Work } from './savedWork.ts';
 import type { Shelf } from './browserStorage.ts';

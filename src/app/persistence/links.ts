@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals';
 import { decodeLink, encodeLink, LinkError, type LinkContent, type OpenedLink } from '../../core/scenario/link.ts';
 import { difference } from '../../core/scenario/patch.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { shareText as text } from '../words.ts';
 import type { Keeper } from './autosave.ts';
 import { isView, workOf, type Work } from './savedWork.ts';

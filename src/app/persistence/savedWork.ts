@@ -1,7 +1,7 @@
 /** The kept work as text, and back: what was stored is read like a stranger's file. */
 import { collectScenarioErrors } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { plotsFrom } from '../state/plotPanes.ts';
 import type { AppState, CaseInfo, PlotsState, ViewName } from '../types.ts';
 

@@ -2,7 +2,7 @@ import { signal, type Signal } from '@preact/signals';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { MethodOptions, Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { RunCounts } from '../../core/simulation/simulation.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import { Pool } from '../../compute/pool.ts';
 import { RunClient } from '../../compute/runClient.ts';

@@ -3,7 +3,7 @@ import { effect, untracked } from '@preact/signals';
 import { modeTrajectory, modeDuration, type ShownMode } from '../../core/control/linearization/modeTrajectory.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta, SystemView } from '../../core/systems/types.ts';
+import type { SystemMeta, SystemView } from '../../core/model/system.ts';
 import type { Runs } from './runs.ts';
 import type { AppState, Motion, RunState, RunStatistics } from '../types.ts';
 

@@ -1,5 +1,5 @@
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { MotionSampler } from '../../core/motion/motionSampler.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import type { App, Motion } from '../types.ts';

@@ -1,6 +1,6 @@
 /** Edits of the draft: always a new object, and only keys that differ from their default stay. */
 import type { MethodOptions, NumberOrExpression, ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 
 export type Entries = 'initial' | 'parameters' | 'inputs' | 'events';
 

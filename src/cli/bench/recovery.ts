@@ -3,7 +3,7 @@ import { feedbackOf } from '../../core/control/design/feedback.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
-import { systems } from '../../core/systems/registry.ts';
+import { systems } from '../../core/systems/all.ts';
 
 const system = systems['ripstik']!;
 const metas = { ripstik: system.meta };

@@ -2,7 +2,7 @@ import { ConstrainedSystem } from '../../core/mechanics/constrainedSystem.ts';
 import { Projection } from '../../core/mechanics/projection.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
-import { systems } from '../../core/systems/registry.ts';
+import { systems } from '../../core/systems/all.ts';
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
 

@@ -1,8 +1,8 @@
-import { cases } from '../../core/cases/cases.ts';
+import { cases } from '../../core/systems/registry.ts';
 import { methods } from '../../core/integrators/methods.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
-import { systems } from '../../core/systems/registry.ts';
+import { systems } from '../../core/systems/all.ts';
 import type { Caller, Job } from './apart.ts';
 import { Checksum, processorTime, settle, timesOf, type MeasureOptions, type Times } from './measure.ts';
 import { scenarioOf } from './states.ts';

@@ -1,6 +1,6 @@
-import { inputsOf } from '../mechanics/inputs.ts';
+import { inputsOf } from '../model/inputs.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import type { SystemView } from '../systems/types.ts';
+import type { SystemView } from '../model/system.ts';
 import type { Measure } from './case.ts';
 
 /** Recorded columns by name, or undefined where there is none. */

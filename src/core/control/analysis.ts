@@ -1,6 +1,6 @@
 import { Matrix } from 'ml-matrix';
 import type { Scenario } from '../scenario/types.ts';
-import type { System } from '../systems/types.ts';
+import type { System } from '../model/system.ts';
 import { controlReport, type ControlReport } from './design/report.ts';
 import { preparedOf } from './design/scenarioControl.ts';
 import { distance, modesOf, type Complex, type Mode } from './linearization/spectrum.ts';

@@ -1,4 +1,5 @@
 /** What a drawing of a system is: meshes by name, who wears them, what stands still around them, and how to look at it. */
+import type { SystemMeta } from '../model/system.ts';
 import type { Vec3 } from './vectors.ts';
 import type { Body } from './wavefront.ts';
 
@@ -45,11 +46,46 @@ export interface Drawing {
 /** A parameter by name, or what stands in for it where the system has none or it is no number. */
 export type Value = (name: string, otherwise?: number) => number;
 
-/** What one system's file in `drawings/` makes: parts by body and by fixture, and how its stage differs from the common one. */
-export interface Sketch {
-  bodies: Readonly<Record<string, Pick<Body, 'parts'> & { about: string }>>;
-  fixtures?: Readonly<Record<string, Pick<Body, 'parts'> & { about: string }>>;
+/**
+ * Parameters by name for a sketch.
+ *
+ * @param parameters SI; those that are missing or no numbers take the meta's defaults
+ */
+export function valueOf(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Value {
+  return (name, otherwise = 0) => {
+    const given = parameters[name];
+    if (given !== undefined && Number.isFinite(given)) return given;
+    return meta.parameters.find((p) => p.name === name)?.default ?? otherwise;
+  };
+}
+
+/** What a drawing says beside its meshes: light enough for the first view. */
+export interface Layout {
+  /** Bodies whose mesh has a group `wheel` that turns (see `Wearer`). */
+  spins?: Readonly<Record<string, NonNullable<Wearer['spin']>>>;
+  /** How its stage differs from the common one. */
   stage?: Partial<Omit<Stage, 'subject' | 'closeUp'>> & { subject?: string };
+}
+
+/** What a system's `drawing.ts` makes: parts by mesh (the bodies' own names, or what the meta names) and by fixture. */
+export interface Sketch extends Layout {
+  bodies: Readonly<Record<string, Omit<Body, 'name'>>>;
+  fixtures?: Readonly<Record<string, Omit<Body, 'name'>>>;
+}
+
+/** Who wears which mesh, and the stage: what a drawing says beside its meshes. */
+export function castOf(meta: SystemMeta, { spins, stage }: Layout): Pick<Drawing, 'bodies' | 'stage'> {
+  const indexOf = (id: string | undefined): number => meta.bodies.findIndex((body) => body.id === id);
+  const { subject, ...own } = stage ?? {};
+  const closeUp = indexOf(meta.views?.closeUp);
+  const common: Stage = { subject: 0, facing: 'nose', still: false, floor: 0, closeUp: closeUp < 0 ? null : closeUp };
+  return {
+    bodies: meta.bodies.map(({ id, part, model }): Wearer => {
+      const spin = spins?.[id];
+      return { id, part, model: model ?? id, ...(spin ? { spin } : {}) };
+    }),
+    stage: { ...common, ...own, subject: Math.max(0, indexOf(subject)) },
+  };
 }
 
 /** A size of nothing cannot be drawn: a degenerate parameter shows as a millimetre. */

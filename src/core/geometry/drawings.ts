@@ -1,62 +1,28 @@
-import type { SystemMeta } from '../systems/types.ts';
-import { boardBodies, boardStage } from './board.ts';
-import type { Drawing, Model, Sketch, Stage, Value, Wearer } from './drawing.ts';
-import { bicycle } from './drawings/bicycle.ts';
-import { casterboardRobot } from './drawings/casterboardRobot.ts';
-import { casterRotation } from './drawings/casterRotation.ts';
-import { chaplyginSleigh } from './drawings/chaplyginSleigh.ts';
-import { cartPendulum, wheelPendulum } from './drawings/pendulums.ts';
-import { plain } from './drawings/plain.ts';
-import { rollingWheel } from './drawings/rollingWheel.ts';
-import { stiffDecay } from './drawings/stiffDecay.ts';
-import { generateModels } from './index.ts';
+import type { SystemMeta } from '../model/system.ts';
+import { castOf, type Drawing, type Model, type Sketch, type Wearer } from './drawing.ts';
+import { plain } from './plain.ts';
 import { type Body, writeMaterials, writeMesh } from './wavefront.ts';
 
-/** How each system looks, by its id; one line per system. One without a line is drawn as plain markers. */
-const sketches: Readonly<Record<string, (p: Value) => Sketch>> = {
-  'stiff-decay': stiffDecay,
-  'caster-rotation': casterRotation,
-  'cart-pendulum': cartPendulum,
-  'rolling-wheel': rollingWheel,
-  'wheel-pendulum': wheelPendulum,
-  'casterboard-robot': casterboardRobot,
-  bicycle,
-  'chaplygin-sleigh': chaplyginSleigh,
-};
-
-/** Meshes and stage of a system in the proportions of its parameters (SI; missing ones take their defaults). Same parameters, same bytes. */
-export function drawingOf(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Drawing {
-  if (meta.id === 'ripstik')
-    return { pairs: generateModels(parameters), bodies: boardBodies(parameters), fixtures: [], stage: boardStage };
-  const value: Value = (name, otherwise = 0) => {
-    const given = parameters[name];
-    if (given !== undefined && Number.isFinite(given)) return given;
-    return meta.parameters.find((p) => p.name === name)?.default ?? otherwise;
-  };
-  return drawingFrom(meta, (sketches[meta.id] ?? plain(meta.bodies.map((b) => b.id)))(value));
-}
-
-function drawingFrom(meta: SystemMeta, sketch: Sketch): Drawing {
-  const drawn = { ...sketch.fixtures, ...sketch.bodies };
+/**
+ * A system's sketch as meshes, bodies and stage.
+ *
+ * @param sketch plain markers where it is left out
+ * @throws Error that names a body without a mesh
+ */
+export function drawingFrom(
+  meta: SystemMeta,
+  sketch: Sketch = plain([...new Set(meta.bodies.map(({ id, model }) => model ?? id))]),
+): Drawing {
   const pairs: Record<string, Model> = {};
-  for (const [name, { about, parts }] of Object.entries(drawn)) pairs[name] = textOf({ name, about, parts });
-  const bodies = meta.bodies.map(({ id, part }): Wearer => ({ id, part, model: id }));
-  const undrawn = bodies.find(({ id }) => !sketch.bodies[id]);
-  if (undrawn) throw new Error(`the drawing of ${meta.id} has no body ${undrawn.id}`);
-  const { subject, ...stage } = sketch.stage ?? {};
-  const common: Stage = { subject: 0, facing: 'nose', still: false, floor: 0, closeUp: null };
+  for (const [name, body] of Object.entries({ ...sketch.fixtures, ...sketch.bodies }))
+    pairs[name] = textOf({ ...body, name });
+  const cast = castOf(meta, sketch);
+  const undrawn = cast.bodies.find(({ model }) => !sketch.bodies[model]);
+  if (undrawn) throw new Error(`the drawing of ${meta.id} has no mesh for ${undrawn.id}`);
   return {
     pairs,
-    bodies,
+    ...cast,
     fixtures: Object.keys(sketch.fixtures ?? {}).map((id): Wearer => ({ id, part: 'board', model: id })),
-    stage: {
-      ...common,
-      ...stage,
-      subject: Math.max(
-        0,
-        bodies.findIndex(({ id }) => id === subject),
-      ),
-    },
   };
 }
 

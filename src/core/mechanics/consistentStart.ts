@@ -1,6 +1,6 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import type { ContactMeta, System } from '../systems/types.ts';
+import type { ContactMeta, System } from '../model/system.ts';
 import { ConstrainedSystem } from './constrainedSystem.ts';
 import { Projection } from './projection.ts';
 

@@ -1,6 +1,7 @@
 import { maxAbs, symmetricEigenvalues } from '../linalg/dense.ts';
 import { saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
-import type { ConstraintSet, System } from '../systems/types.ts';
+import type { Forcing } from './forcing.ts';
+import type { ConstraintSet, System } from '../model/system.ts';
 
 /** Why an acceleration could not be had. */
 export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | 'non-finite';
@@ -10,13 +11,6 @@ export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | '
  * the constraint rows are then dependent. Well below the event's 1e-6, so that the event speaks first.
  */
 export const DEPENDENT = 1e-13;
-
-/** Generalized forces from outside: added onto `force` (n) at time t and state q, v. */
-export interface Forcing {
-  (t: number, q: Float64Array, v: Float64Array, force: Float64Array): void;
-  /** Adds their exact derivatives onto `forceQ` and `forceV` (n x n each). Without it there is no exact Jacobian. */
-  jacobians?(t: number, q: Float64Array, v: Float64Array, forceQ: Float64Array, forceV: Float64Array): void;
-}
 
 /**
  * A system with its parameters, constraint set, held coordinates and outside forces bound:

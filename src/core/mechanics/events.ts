@@ -1,4 +1,4 @@
-import type { System } from '../systems/types.ts';
+import type { System } from '../model/system.ts';
 import type { ConstrainedSystem } from './constrainedSystem.ts';
 
 /** A function of the state whose downward crossing of zero ends the run. */

@@ -1,19 +1,10 @@
-import { compileExpression } from '../scenario/expressions.ts';
-import type { Scenario, TrackControl } from '../scenario/types.ts';
-import type { InputMeta, SystemMeta } from '../systems/types.ts';
-import type { Forcing } from './constrainedSystem.ts';
-import { inputsOf } from './inputs.ts';
+/** Forces from outside, and what a controller asks: the mechanics sees no more of a scenario than these. */
 
-export { inputsOf } from './inputs.ts';
-
-/** All inputs a scenario drives: their names, and the forces and values at a moment. */
-export interface Actuation {
-  /** The system's named inputs, then raw forces that are driven; in the order of their values. */
-  readonly names: readonly string[];
-  /** Adds B u onto `force`. */
-  readonly forcing: Forcing | null;
-  /** u at a moment, into `out` (one per name). */
-  values(t: number, q: Float64Array, v: Float64Array, out: Float64Array): void;
+/** Generalized forces from outside: added onto `force` (n) at time t and state q, v. */
+export interface Forcing {
+  (t: number, q: Float64Array, v: Float64Array, force: Float64Array): void;
+  /** Adds their exact derivatives onto `forceQ` and `forceV` (n x n each). Without it there is no exact Jacobian. */
+  jacobians?(t: number, q: Float64Array, v: Float64Array, forceQ: Float64Array, forceV: Float64Array): void;
 }
 
 /** What a controller asks of one input, from the state. */
@@ -29,104 +20,4 @@ export interface Feedback {
     forceQ: Float64Array,
     forceV: Float64Array,
   ): void;
-}
-
-/** One input as it goes: open loop, closed loop or both; what does not react to the state has no slopes. */
-type Signal = Pick<Feedback, 'value'> & Partial<Pick<Feedback, 'addSlopes'>>;
-
-/**
- * Binds a scenario's open-loop inputs and controller.
- * @param feedback an lqr's state feedback by input; its design is no part of a run (`control/feedback.ts`)
- */
-export function actuationOf(
-  scenario: Scenario,
-  meta: SystemMeta,
-  feedback: ReadonlyMap<string, Feedback> | null = null,
-): Actuation {
-  const { control } = scenario;
-  if (control?.type === 'lqr' && !feedback)
-    throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
-  const parts: { input: InputMeta; signal: Signal | null }[] = [];
-  for (const input of inputsOf(meta)) {
-    const closed: Signal | null =
-      control?.type === 'track' ? tracking(control, input, meta) : (feedback?.get(input.name) ?? null);
-    const signal = total(openLoop(scenario, input), closed);
-    // The named inputs are always there, so that a file of a run with inputs has the same columns for every run.
-    if (signal || meta.inputs.includes(input)) parts.push({ input, signal });
-  }
-  const columns = parts.map(({ input }) =>
-    Object.entries(input.column).map(([name, weight]) => ({
-      index: meta.coordinates.findIndex((c) => c.name === name),
-      weight,
-    })),
-  );
-  const values = (t: number, q: Float64Array, v: Float64Array, out: Float64Array): void => {
-    for (let i = 0; i < parts.length; i++) out[i] = parts[i]!.signal?.value(t, q, v) ?? 0;
-  };
-  const driven = [...parts.keys()].filter((i) => parts[i]!.signal);
-  const forcing: Forcing = (t, q, v, force) => {
-    for (const i of driven) {
-      const u = parts[i]!.signal!.value(t, q, v);
-      const column = columns[i]!;
-      for (let k = 0; k < column.length; k++) force[column[k]!.index]! += column[k]!.weight * u;
-    }
-  };
-  const n = meta.coordinates.length;
-  const loops = driven.filter((i) => parts[i]!.signal!.addSlopes);
-  forcing.jacobians = (t, q, v, forceQ, forceV) => {
-    for (const i of loops) {
-      const column = columns[i]!;
-      for (let k = 0; k < column.length; k++) {
-        parts[i]!.signal!.addSlopes!(t, q, v, column[k]!.weight, column[k]!.index * n, forceQ, forceV);
-      }
-    }
-  };
-  return { names: parts.map((p) => p.input.name), forcing: driven.length > 0 ? forcing : null, values };
-}
-
-/** An open-loop signal adds to what the controller asks, and reacts to nothing. */
-function total(open: Signal | null, closed: Signal | null): Signal | null {
-  if (!open || !closed) return open ?? closed;
-  return {
-    value: (t, q, v) => open.value(t, q, v) + closed.value(t, q, v),
-    addSlopes: (t, q, v, weight, row, forceQ, forceV) => closed.addSlopes?.(t, q, v, weight, row, forceQ, forceV),
-  };
-}
-
-function openLoop(scenario: Scenario, input: InputMeta): Signal | null {
-  const text = scenario.inputs[input.name];
-  if (text === undefined) return null;
-  const expression = compileExpression(text, { variables: ['t'] });
-  return { value: (t) => expression.evaluate(t) };
-}
-
-/** PD on what the input tracks: -kp (sum q - r) - kd (sum v - r_dot), within the limit if there is one. */
-function tracking(control: TrackControl, input: InputMeta, meta: SystemMeta): Signal | null {
-  const text = control.reference[input.name];
-  if (text === undefined || !input.tracks) return null;
-  const reference = compileExpression(text, { variables: ['t'] });
-  const index = input.tracks.map((name) => meta.coordinates.findIndex((c) => c.name === name));
-  const { kp, kd } = control;
-  const bound = control.limits?.[input.name];
-  const limit = bound === undefined ? Infinity : compileExpression(bound, { variables: [] }).evaluate(0);
-  const asked = (t: number, q: Float64Array, v: Float64Array): number => {
-    let position = -reference.evaluate(t);
-    let rate = -reference.derivative(t);
-    for (let k = 0; k < index.length; k++) {
-      position += q[index[k]!]!;
-      rate += v[index[k]!]!;
-    }
-    return -kp * position - kd * rate;
-  };
-  return {
-    value: (t, q, v) => Math.max(-limit, Math.min(limit, asked(t, q, v))),
-    addSlopes: (t, q, v, weight, row, forceQ, forceV) => {
-      // At its limit the controller no longer reacts.
-      if (!(Math.abs(asked(t, q, v)) < limit)) return;
-      for (let k = 0; k < index.length; k++) {
-        forceQ[row + index[k]!]! -= weight * kp;
-        forceV[row + index[k]!]! -= weight * kd;
-      }
-    },
-  };
 }

@@ -1,5 +1,5 @@
-import { inputsOf } from '../mechanics/inputs.ts';
-import type { SystemMeta } from '../systems/types.ts';
+import { inputsOf } from '../model/inputs.ts';
+import type { SystemMeta } from '../model/system.ts';
 
 /** What a recorded column is called and measured in. */
 export interface ColumnInfo {

@@ -1,4 +1,4 @@
-import type { SystemView, TrackedPoint } from '../systems/types.ts';
+import type { SystemView, TrackedPoint } from '../model/system.ts';
 import { matrixOf, quaternionOf, slerp } from './attitude.ts';
 import type { Trajectory } from './trajectory.ts';
 

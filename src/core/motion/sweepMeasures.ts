@@ -1,7 +1,7 @@
 import type { Measure } from '../cases/case.ts';
-import { inputsOf } from '../mechanics/inputs.ts';
+import { inputsOf } from '../model/inputs.ts';
 import type { RunCounts, RunEnd } from '../simulation/simulation.ts';
-import type { System, SystemMeta } from '../systems/types.ts';
+import type { System, SystemMeta } from '../model/system.ts';
 
 /**
  * A number that a sweep keeps of each run. Of a column, over all rows: `end`, `max`, `min`. Else:

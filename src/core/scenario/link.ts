@@ -1,7 +1,7 @@
 /** A scenario as the part of an address after `#`: what differs from a case, in plain text that a person can read before opening it. */
 import { collectScenarioErrors } from './schema.ts';
 import type { ScenarioFile } from './types.ts';
-import type { SystemMeta } from '../systems/types.ts';
+import type { SystemMeta } from '../model/system.ts';
 import { decode, difference, encode, isRecord, LinkError, patched, short, type Entry } from './patch.ts';
 
 export { LinkError } from './patch.ts';

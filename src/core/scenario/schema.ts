@@ -1,5 +1,5 @@
-import { inputsOf } from '../mechanics/inputs.ts';
-import type { SystemMeta } from '../systems/types.ts';
+import { inputsOf } from '../model/inputs.ts';
+import type { SystemMeta } from '../model/system.ts';
 import { Checker, kindOf } from './checker.ts';
 import {
   COLUMN_NAMES,

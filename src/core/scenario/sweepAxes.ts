@@ -1,6 +1,6 @@
-import { inputsOf } from '../mechanics/inputs.ts';
+import { inputsOf } from '../model/inputs.ts';
 import type { MethodOptions, Scenario, ScenarioFile } from './types.ts';
-import type { SystemMeta } from '../systems/types.ts';
+import type { SystemMeta } from '../model/system.ts';
 
 /** More runs than this are refused: a table of them is no longer read. */
 export const MOST_SWEEP_RUNS = 2000;

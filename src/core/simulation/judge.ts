@@ -1,6 +1,6 @@
 import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { Projection } from '../mechanics/projection.ts';
-import type { System } from '../systems/types.ts';
+import type { System } from '../model/system.ts';
 
 /** How well recorded numbers keep energy and constraints. */
 export interface Judgement {

@@ -1,6 +1,6 @@
-import type { Forcing } from '../mechanics/constrainedSystem.ts';
+import type { Forcing } from '../mechanics/forcing.ts';
 import { ScenarioError } from '../scenario/types.ts';
-import type { System } from '../systems/types.ts';
+import type { System } from '../model/system.ts';
 import type { Push } from './push.ts';
 
 /** By how much coordinates are moved (of at least 1) for the change of J along the motion: third root of rounding. */

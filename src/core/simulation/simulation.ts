@@ -1,13 +1,14 @@
 import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
-import { actuationOf, type Actuation, type Feedback } from '../mechanics/forcing.ts';
+import { actuationOf, type Actuation } from './actuation.ts';
+import type { Feedback } from '../mechanics/forcing.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
 import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
-import type { System } from '../systems/types.ts';
+import type { System } from '../model/system.ts';
 import { motionOf } from './motion.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';

@@ -1,7 +1,85 @@
-import { loadSystem, systemIds } from './loaders.ts';
-import type { System } from './types.ts';
+/**
+ * Every system there is: one folder and one line in `registered` (with its import). Views, metas and cases come at
+ * once; equations, drawings and typeset formulas are loaded one system at a time, for they are large.
+ */
+import type { Case } from '../cases/case.ts';
+import { type Drawing, valueOf } from '../geometry/drawing.ts';
+import { defineSystem } from '../model/defineSystem.ts';
+import type { System, SystemMeta, SystemView } from '../model/system.ts';
+import type { Typeset } from '../model/typeset.ts';
+import { bicycle } from './bicycle/index.ts';
+import { cartPendulum } from './cart-pendulum/index.ts';
+import { casterRotation } from './caster-rotation/index.ts';
+import { casterboardRobot } from './casterboard-robot/index.ts';
+import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
+import type { SystemFolder } from './folder.ts';
+import { ripstik } from './ripstik/index.ts';
+import { rollingWheel } from './rolling-wheel/index.ts';
+import { stiffDecay } from './stiff-decay/index.ts';
+import { wheelPendulum } from './wheel-pendulum/index.ts';
 
-/** Every system with its dynamics at once: for the command line and tests. The page's workers load what they need. */
-export const systems: Readonly<Record<string, System>> = Object.fromEntries(
-  await Promise.all(systemIds.map(async (id): Promise<[string, System]> => [id, await loadSystem(id)!])),
+/** In the order of the lists of systems and of cases; the page opens with the first case of the first. */
+const registered: readonly SystemFolder[] = [
+  ripstik,
+  casterRotation,
+  cartPendulum,
+  rollingWheel,
+  stiffDecay,
+  wheelPendulum,
+  casterboardRobot,
+  bicycle,
+  chaplyginSleigh,
+];
+
+const folders: ReadonlyMap<string, SystemFolder> = new Map(registered.map((folder) => [folder.view.meta.id, folder]));
+
+export const systemIds: readonly string[] = [...folders.keys()];
+
+/** Every system as the views know it, by id. */
+export const systemViews: Readonly<Record<string, SystemView>> = Object.fromEntries(
+  registered.map(({ view }) => [view.meta.id, view]),
 );
+
+/** Every built-in case. The first one is what the page opens with. */
+export const cases: readonly Case[] = registered.flatMap((folder) => folder.cases);
+
+/**
+ * A system with its dynamics.
+ *
+ * @param id of the system
+ * @returns undefined where there is none of that name
+ */
+export function loadSystem(id: string): Promise<System> | undefined {
+  const folder = folders.get(id);
+  return folder?.equations().then((equations) => defineSystem(folder.view, equations));
+}
+
+/**
+ * A system's equations as marked LaTeX.
+ *
+ * @param id of the system
+ * @returns undefined where there is none of that name
+ */
+export function loadTypeset(id: string): Promise<Typeset> | undefined {
+  return folders
+    .get(id)
+    ?.typeset()
+    .then((module) => module.default as Typeset);
+}
+
+/**
+ * Meshes and stage of a system in the proportions of its parameters; one without a drawing is drawn as plain markers.
+ *
+ * @param meta of the system
+ * @param parameters by name, SI; those that are missing or no numbers take their defaults. Same parameters, same bytes
+ */
+export async function loadDrawing(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Promise<Drawing> {
+  const [{ drawingFrom }, drawn] = await Promise.all([
+    import('../geometry/drawings.ts'),
+    folders.get(meta.id)?.drawing?.(),
+  ]);
+  return drawingFrom(meta, drawn?.draw(valueOf(meta, parameters)));
+}
+
+/** Meshes that lie beside the page as files, and the parameters they were made for; undefined where the system has none. */
+export const shippedMeshes = (id: string): SystemFolder['shipped'] => folders.get(id)?.shipped;

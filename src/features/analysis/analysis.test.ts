@@ -3,7 +3,7 @@ import { analyse } from '../../core/control/analysis.ts';
 import { scenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Complex, Mode } from '../../core/control/linearization/spectrum.ts';
 import { ScenarioError, type ScenarioFile } from '../../core/scenario/types.ts';
-import { systems } from '../../core/systems/registry.ts';
+import { systems } from '../../core/systems/all.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, reachRows } from './modes.ts';
 import { analysedPart, pointOf, pointPath, stateNames, withPoint } from './names.ts';
 import { bendOf, extent, isWide, linearScale, logarithmicScale, niceStep } from './planeScale.ts';

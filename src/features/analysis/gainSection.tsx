@@ -1,7 +1,7 @@
 /** The gain by input and state, its residual, and everything as files for other programs. */
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { exportFormats, type ExportFormat } from '../../core/control/design/exports.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';

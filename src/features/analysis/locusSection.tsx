@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { locusCsv } from '../../core/control/design/exports.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemView } from '../../core/systems/types.ts';
+import type { SystemView } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
 import { formatShort, THIN } from '../../ui/kit/format.ts';

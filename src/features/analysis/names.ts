@@ -1,6 +1,6 @@
 /** Names of states and inputs as a person reads them, and the part of a draft that an analysis depends on. */
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 
 export interface StateName {
   name: string;

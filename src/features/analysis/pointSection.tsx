@@ -1,7 +1,7 @@
 /** The operating point: what is named, what moves, and the multipliers that carry it. */
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
-import type { SystemView } from '../../core/systems/types.ts';
+import type { SystemView } from '../../core/model/system.ts';
 import { edit, useUi, type Ui } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatQuantity, formatShort, THIN } from '../../ui/kit/format.ts';

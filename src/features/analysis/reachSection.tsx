@@ -1,6 +1,6 @@
 /** What the inputs reach, what no input reaches, and what the cost does not see. */
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific } from '../../ui/kit/format.ts';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';

@@ -1,6 +1,6 @@
 /** What a root locus can be drawn against, and the range that is offered. */
 import type { LocusRequest } from '../../core/control/locus/scenarioLocus.ts';
-import type { SystemView } from '../../core/systems/types.ts';
+import type { SystemView } from '../../core/model/system.ts';
 import type { StateName } from './names.ts';
 
 export interface LocusSubject {

@@ -1,6 +1,6 @@
 import { useSignal, type Signal } from '@preact/signals';
 import { groundCoordinates, type FactKind, type SweepMeasure } from '../../core/motion/sweepMeasures.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { words } from './words.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { measureInfo } from './sweepChoices.ts';

@@ -6,7 +6,7 @@ import { spaced, sweepPaths, type SweepAxis, type SweepPath } from '../../core/s
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { words } from './words.ts';
 import { formatScientific, formatShort, plainText } from '../../ui/kit/format.ts';
 

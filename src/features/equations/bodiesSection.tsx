@@ -1,4 +1,4 @@
-import type { TypesetBody } from '../../core/systems/typeset.ts';
+import type { TypesetBody } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
 import { Chip } from '../../ui/kit/symbol.tsx';
 import { useBook } from './context.ts';

@@ -1,5 +1,5 @@
 import { useState } from 'preact/hooks';
-import type { TypesetConstraints } from '../../core/systems/typeset.ts';
+import type { TypesetConstraints } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatCount } from '../../ui/kit/format.ts';

@@ -2,8 +2,8 @@
 import type { Signal } from '@preact/signals';
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { SystemView } from '../../core/systems/types.ts';
-import type { Typeset } from '../../core/systems/typeset.ts';
+import type { SystemView } from '../../core/model/system.ts';
+import type { Typeset } from '../../core/model/typeset.ts';
 
 export interface Book {
   view: SystemView;

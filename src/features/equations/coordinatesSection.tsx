@@ -1,4 +1,4 @@
-import type { CoordinateMeta } from '../../core/systems/types.ts';
+import type { CoordinateMeta } from '../../core/model/system.ts';
 import type { Motion } from '../../app/types.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';

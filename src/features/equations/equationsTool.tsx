@@ -2,8 +2,9 @@
 import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { loadTypeset, type Typeset } from '../../core/systems/typeset.ts';
-import type { SystemView } from '../../core/systems/types.ts';
+import type { Typeset } from '../../core/model/typeset.ts';
+import { loadTypeset } from '../../core/systems/registry.ts';
+import type { SystemView } from '../../core/model/system.ts';
 import { equations as words } from './words.ts';
 import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';

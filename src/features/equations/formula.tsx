@@ -1,6 +1,6 @@
 /** One formula: typeset, its symbols explained when pointed at or walked through by keys, its LaTeX to be copied. */
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { marksOf, setMarks } from '../../core/systems/typeset.ts';
+import { marksOf, setMarks } from '../../core/model/typeset.ts';
 import { equations as words } from './words.ts';
 import { useBook } from './context.ts';
 import { setSoon } from './rendering.ts';

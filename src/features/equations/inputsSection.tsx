@@ -1,5 +1,5 @@
 import type { Motion } from '../../app/types.ts';
-import type { InputMeta, SystemMeta } from '../../core/systems/types.ts';
+import type { InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort, THIN } from '../../ui/kit/format.ts';

@@ -1,7 +1,7 @@
 /** What a symbol of the equations means, in words and with its present value. */
 import type { Motion } from '../../app/types.ts';
-import type { SystemView } from '../../core/systems/types.ts';
-import type { Typeset } from '../../core/systems/typeset.ts';
+import type { SystemView } from '../../core/model/system.ts';
+import type { Typeset } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
 import { sample } from '../now/nowPanel.tsx';

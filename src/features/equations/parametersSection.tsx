@@ -1,4 +1,4 @@
-import type { ParameterMeta } from '../../core/systems/types.ts';
+import type { ParameterMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';

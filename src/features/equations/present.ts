@@ -1,8 +1,8 @@
 /** The matrices of a system at one moment of a motion. */
 import type { Motion } from '../../app/types.ts';
-import { inputsOf } from '../../core/mechanics/inputs.ts';
+import { inputsOf } from '../../core/model/inputs.ts';
 import { cholesky, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../../core/linalg/dense.ts';
-import type { System } from '../../core/systems/types.ts';
+import type { System } from '../../core/model/system.ts';
 import { sample } from '../now/nowPanel.tsx';
 
 /** All in SI units and radians; n coordinates, m constraint rows. */

@@ -1,6 +1,6 @@
 /** KaTeX and its style sheet, loaded once; formulas are set a few at a time, so that the page stays free in between. */
 import type katexModule from 'katex';
-import { setMarks, type Typeset } from '../../core/systems/typeset.ts';
+import { setMarks, type Typeset } from '../../core/model/typeset.ts';
 
 type Katex = typeof katexModule;
 

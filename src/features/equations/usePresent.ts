@@ -1,8 +1,8 @@
 /** The matrices at the time on the stage, a few times a second; the system's dynamics are loaded when first asked for. */
 import { useEffect, useState } from 'preact/hooks';
 import type { Motion } from '../../app/types.ts';
-import { loadSystem } from '../../core/systems/loaders.ts';
-import type { System } from '../../core/systems/types.ts';
+import { loadSystem } from '../../core/systems/registry.ts';
+import type { System } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
 import { useSlowTime } from '../now/nowPanel.tsx';
 import { useBook } from './context.ts';

@@ -1,5 +1,5 @@
 import type { NumberOrExpression, TrackControl } from '../../core/scenario/types.ts';
-import type { InputMeta } from '../../core/systems/types.ts';
+import type { InputMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
 import { withEntry, withKey } from '../../app/state/draft.ts';

@@ -1,7 +1,7 @@
 /** LQR in the panel: inputs, operating point, a weight for every state and input; the running motion goes on with each change. */
 import { useSignal } from '@preact/signals';
 import type { LqrControl, NumberOrExpression } from '../../core/scenario/types.ts';
-import type { CoordinateMeta, InputMeta, SystemMeta } from '../../core/systems/types.ts';
+import type { CoordinateMeta, InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';

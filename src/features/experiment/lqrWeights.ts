@@ -1,6 +1,6 @@
 /** Weights as a person meets them: sets to start from, and what a control that names none means. */
 import type { LqrControl, NumberOrExpression } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 
 export interface WeightSet {
   id: 'identity' | 'angles' | 'firm' | 'gentle';

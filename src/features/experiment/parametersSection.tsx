@@ -1,4 +1,4 @@
-import type { ParameterMeta, SystemMeta } from '../../core/systems/types.ts';
+import type { ParameterMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
 import { parameterDefault, withEntry, withParameterSet } from '../../app/state/draft.ts';

@@ -1,7 +1,7 @@
 /** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
 import { useId } from 'preact/hooks';
 import type { Adjustment } from '../../app/types.ts';
-import type { CoordinateMeta, SystemMeta } from '../../core/systems/types.ts';
+import type { CoordinateMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { withEntry } from '../../app/state/draft.ts';

@@ -1,7 +1,6 @@
 /** Fields that the pages of the export dialog share. */
 import { useId, useState } from 'preact/hooks';
 import { LARGEST, sideOf, SMALLEST } from '../../app/files/exportPlan.ts';
-import { canRide, hasCloseUp } from '../../core/geometry/roster.ts';
 import type { ShotPlan } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/types.ts';
 import { exportText as text } from './words.ts';
@@ -127,8 +126,10 @@ export function ViewField({
   onChange(view: ShotPlan['view']): void;
 }) {
   const names = Object.keys(text.views) as (keyof typeof text.views)[];
-  const { id } = motion.system.meta;
-  const offered = names.filter((name) => (name !== 'caster' || hasCloseUp(id)) && (name !== 'rider' || canRide(id)));
+  const offers = motion.system.meta.views;
+  const offered = names.filter(
+    (name) => (name !== 'caster' || offers?.closeUp) && (name !== 'rider' || offers?.ridden),
+  );
   return (
     <Choice
       label={text.view}

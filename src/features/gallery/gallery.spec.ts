@@ -1,7 +1,7 @@
 // The gallery as a person uses it, and the first minute: an offer, a tour of five steps, never shown again.
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test, type Page } from '@playwright/test';
-import { cases } from '../../core/cases/cases.ts';
+import { cases } from '../../core/systems/registry.ts';
 import { withoutScene } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: { width: 1280, height: 760 } });

@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import type { Motion } from '../../app/types.ts';
-import type { CoordinateMeta } from '../../core/systems/types.ts';
+import type { CoordinateMeta } from '../../core/model/system.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { useUi } from '../../ui/context.ts';
 import { FilePanel } from '../../ui/shell/filePanel.tsx';

@@ -1,6 +1,6 @@
 /** Which plots stand there: the person's own, those of the case, or what suits the motion. */
 import type { Motion, PlotPane, PlotsState } from '../../app/types.ts';
-import { cases } from '../../core/cases/cases.ts';
+import { cases } from '../../core/systems/registry.ts';
 import { text } from './words.ts';
 import { columnsOf } from './columns.ts';
 

@@ -1,6 +1,6 @@
 // What is shared comes back to the last bit, what was done survives a reload, and strangers' addresses lose nothing.
 import { expect, test, type Page } from '@playwright/test';
-import { cases } from '../../core/cases/cases.ts';
+import { cases } from '../../core/systems/registry.ts';
 import {
   chooseCase,
   COORDINATES,

@@ -100,7 +100,7 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
       keysOpen.value = true;
     },
   };
-  const view = viewsOf(state.motion.peek()?.system.meta.id ?? state.draft.peek().system).get(key);
+  const view = viewsOf((state.motion.peek()?.system ?? app.systemOf(state.draft.peek().system))?.meta.views).get(key);
   const run =
     does[key.length === 1 ? key.toLowerCase() : key] ??
     (view &&

@@ -1,7 +1,7 @@
 /** The hand without a pointer: buttons and keys that push at a body in steps. */
 import { useEffect, useId, useMemo, useRef, useState } from 'preact/hooks';
 import { createKeyHand, type Force, type Hold } from '../../app/push/keyboardPush.ts';
-import type { SystemMeta } from '../../core/systems/types.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import './pushPad.css';
 import { pushText as text } from './pushWords.ts';
 import { useUi } from '../context.ts';

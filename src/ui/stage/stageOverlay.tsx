@@ -1,7 +1,6 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
 import type { ViewName } from '../../app/types.ts';
-import { canRide, hasCloseUp } from '../../core/geometry/roster.ts';
 import { canPush } from '../../app/push/pointerPush.ts';
 import { useUi } from '../context.ts';
 import { Toggle } from '../kit/controls.tsx';
@@ -9,19 +8,20 @@ import { later } from '../kit/later.tsx';
 import { ModeActions } from './modeActions.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { text } from '../words.ts';
 
 const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
 
 /** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
-export const viewsOf = (systemId: string): ReadonlyMap<string, ViewName> =>
+export const viewsOf = (offers: SystemMeta['views']): ReadonlyMap<string, ViewName> =>
   new Map([
     ['1', 'orbit'],
     ['2', 'front'],
     ['3', 'side'],
     ['4', 'top'],
-    ...(hasCloseUp(systemId) ? ([['5', 'caster']] as const) : []),
-    ...(canRide(systemId) ? ([['6', 'rider']] as const) : []),
+    ...(offers?.closeUp ? ([['5', 'caster']] as const) : []),
+    ...(offers?.ridden ? ([['6', 'rider']] as const) : []),
   ]);
 
 export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
@@ -34,7 +34,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
     (system?.tracks ?? system?.contacts ?? []).length > 0,
     (system?.contacts ?? []).length > 0,
   ];
-  const closeUp = hasCloseUp(system?.meta.id ?? '');
+  const closeUp = system?.meta.views?.closeUp !== undefined;
   const fileTitle = motion && motion.source !== 'run' ? motion.title : null;
   return (
     <>
@@ -57,7 +57,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       <div class="views">
         {state.look.push.value && canPush(motion) && <PushPad />}
         <div class="segments" role="group" aria-label={text.view.label}>
-          {[...viewsOf(system?.meta.id ?? '')].map(([key, view]) => (
+          {[...viewsOf(system?.meta.views)].map(([key, view]) => (
             <Toggle
               key={view}
               pressed={state.view.value === view}
@@ -118,7 +118,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
               </Toggle>
             )}
           </div>
-          <ViewMenu closeUp={closeUp} ridden={canRide(system?.meta.id ?? '')} forced={forced} />
+          <ViewMenu closeUp={closeUp} ridden={system?.meta.views?.ridden ?? false} forced={forced} />
         </div>
       </div>
     </>

@@ -4,8 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { plotsFrom } from '../../../src/app/state/plotPanes.ts';
 import { fileAddress } from '../../../src/app/files/fileAddress.ts';
 import { fromText, toText, type Kept } from '../../../src/app/persistence/savedWork.ts';
-import { cases } from '../../../src/core/cases/cases.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
+import { cases, systemViews } from '../../../src/core/systems/registry.ts';
 
 const SEED = { seed: 20261124 };
 const known = {

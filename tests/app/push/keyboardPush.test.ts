@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { bodyVelocity, firmness, posesNear } from '../../../src/app/push/pointerPush.ts';
 import { pushOf, stepOf } from '../../../src/app/push/keyboardPush.ts';
 import type { Motion } from '../../../src/app/types.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
+import { systemViews } from '../../../src/core/systems/registry.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
 
 /** A motion of two rows, both in this state. */

@@ -8,7 +8,7 @@ import { createApp } from '../../../src/app/store.ts';
 import type { App } from '../../../src/app/types.ts';
 import type { Push } from '../../../src/core/simulation/push.ts';
 import { Simulation } from '../../../src/core/simulation/simulation.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
 import { scenarioOf } from '../../helpers.ts';
 

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../../src/core/cases/cases.ts';
+import { cases } from '../../../src/core/systems/registry.ts';
 import { spaced, sweepPaths, withAxisValue, type SweepAxis } from '../../../src/core/scenario/sweepAxes.ts';
 import { extrasFor, RunMeasurer, type SweepMeasure } from '../../../src/core/motion/sweepMeasures.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { metas, runOf, scenarioOf } from '../../helpers.ts';
 
 const axis = (path: string): SweepAxis => ({ path, label: '', unit: '', angle: false, values: [] });

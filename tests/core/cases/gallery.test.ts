@@ -4,8 +4,7 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import type { CaseInfo } from '../../../src/app/types.ts';
-import { cases } from '../../../src/core/cases/cases.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
+import { cases, systemViews } from '../../../src/core/systems/registry.ts';
 import { matches, sectionOf, sectionsOf } from '../../../src/features/gallery/gallerySections.ts';
 import { placeBeside } from '../../../src/features/welcome/place.ts';
 

@@ -11,7 +11,7 @@ import {
   exportFormats,
   type Design,
 } from '../../../src/core/control/design/exports.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf, seeded } from '../../helpers.ts';
 
 const at = { X_dot: 1 };

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { feedbackOf, StateFeedback } from '../../../src/core/control/design/feedback.ts';
-import { actuationOf } from '../../../src/core/mechanics/forcing.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { actuationOf } from '../../../src/core/simulation/actuation.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf, seeded } from '../../helpers.ts';
 
 const q0 = Float64Array.of(1, 2);

@@ -2,7 +2,7 @@ import { EigenvalueDecomposition, Matrix, QrDecomposition } from 'ml-matrix';
 import { linearizedInputs, operatingPoint } from '../../../src/core/control/design/scenarioControl.ts';
 import { linearize, type Linearization } from '../../../src/core/control/linearization/linearize.ts';
 import type { Complex } from '../../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf } from '../../helpers.ts';
 
 /** Entries normal enough for tests: a sum of uniform numbers, from a seeded generator. */

@@ -5,8 +5,8 @@ import { columnSpace } from '../../../src/core/control/linearization/matrices.ts
 import { operatingPoint } from '../../../src/core/control/design/scenarioControl.ts';
 import { eigenvalues } from '../../../src/core/control/linearization/spectrum.ts';
 import { steadyMotionAt } from '../../../src/core/control/linearization/steadyMotion.ts';
-import { inputsOf } from '../../../src/core/mechanics/inputs.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { inputsOf } from '../../../src/core/model/inputs.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf, seeded } from '../../helpers.ts';
 
 const board = systems['ripstik']!;

@@ -9,7 +9,7 @@ import {
 } from '../../../src/core/control/linearization/modeTrajectory.ts';
 import type { Mode } from '../../../src/core/control/linearization/spectrum.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf } from '../../helpers.ts';
 
 const analysed = (file: ScenarioFile): ControlAnalysis => analyse(scenarioOf({ ...file }), systems[file.system]!);

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
 import { controlReport, type ControlReport } from '../../../src/core/control/design/report.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf } from '../../helpers.ts';
 
 const reportOf = (raw: Record<string, unknown>): ControlReport => {

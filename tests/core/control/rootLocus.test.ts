@@ -9,7 +9,7 @@ import {
 import { GainSchedule } from '../../../src/core/control/design/gainSchedule.ts';
 import { assign, rootLocus } from '../../../src/core/control/locus/rootLocus.ts';
 import type { Complex } from '../../../src/core/control/linearization/spectrum.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { seeded } from '../../helpers.ts';
 
 const grid = (from: number, to: number, count: number) =>

@@ -1,7 +1,7 @@
 // Gains scheduled over the forward speed: exact slopes, the fixed gain at its own speed, and runs that a fixed gain does not survive.
 import { describe, expect, test } from 'vitest';
 import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { runOf, scenarioOf, seeded } from '../../helpers.ts';
 
 const board = (schedule: Record<string, unknown> | null, at = 1) => ({

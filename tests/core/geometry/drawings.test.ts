@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { Box3, Vector3 } from 'three';
-import { drawingOf } from '../../../src/core/geometry/drawings.ts';
-import { modelsOf } from '../../../src/core/geometry/roster.ts';
+import { modelsOf } from '../../../src/core/model/system.ts';
 import { along, ball, box, pipe, torus, tube } from '../../../src/core/geometry/solids.ts';
 import type { Triangle } from '../../../src/core/geometry/shapes.ts';
 import { spokedWheel } from '../../../src/core/geometry/wheels.ts';
-import type { SystemMeta } from '../../../src/core/systems/types.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
+import type { SystemMeta } from '../../../src/core/model/system.ts';
+import { systemViews } from '../../../src/core/systems/registry.ts';
+import { drawingOf } from '../../drawings.ts';
 import { parsePair } from '../../../src/scene/actors/bodies.ts';
 import { checkMaterials, checkMesh } from '../../../src/scene/actors/meshText.ts';
 

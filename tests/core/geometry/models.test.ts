@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { generateModels, modelNames, wheelAxle } from '../../../src/core/geometry/index.ts';
+import { type Model, valueOf } from '../../../src/core/geometry/drawing.ts';
+import { dimensionsOf } from '../../../src/core/systems/ripstik/drawing/dimensions.ts';
+import { drawingOf } from '../../drawings.ts';
 import { ripstikMeta } from '../../../src/core/systems/ripstik/meta.ts';
 
 type Point = [number, number, number];
@@ -12,6 +14,9 @@ interface Face {
 }
 
 const defaults: Record<string, number> = Object.fromEntries(ripstikMeta.parameters.map((p) => [p.name, p.default]));
+const modelNames = ['rod', 'front-plate', 'back-plate', 'caster'] as const;
+const generateModels = (parameters: Record<string, number>) =>
+  drawingOf(ripstikMeta, parameters).pairs as Record<(typeof modelNames)[number], Model>;
 const models = generateModels(defaults);
 
 const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -183,7 +188,7 @@ describe.each(['street', 'authors', 'caster upright'])('what is shown is what is
     const wheel = read(made.caster.mdl)
       .filter((f) => f.group === 'wheel')
       .flatMap((f) => f.points);
-    const hub = wheelAxle(parameters).hub as Point;
+    const hub = dimensionsOf(valueOf(ripstikMeta, parameters)).hub as Point;
     const up: Point = [-Math.sin(p('casterAngle')), 0, Math.cos(p('casterAngle'))];
     const radius = Math.max(...wheel.map((q) => Math.hypot(q[0] - hub[0], q[2] - hub[2])));
     expect(Math.abs(radius - p('wheelRadius'))).toBeLessThan(1e-5);

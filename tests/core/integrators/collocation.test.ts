@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../../src/core/cases/cases.ts';
+import { cases } from '../../../src/core/systems/registry.ts';
 import { ComplexBlock, isSecondOrder, RealBlock } from '../../../src/core/integrators/collocation/collocationBlocks.ts';
 import { gauss, radau, type Tableau } from '../../../src/core/integrators/collocation/collocationCoefficients.ts';
 import { StageEquations } from '../../../src/core/integrators/collocation/collocationStages.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../../src/core/cases/cases.ts';
+import { cases } from '../../../src/core/systems/registry.ts';
 import { Projection } from '../../../src/core/mechanics/projection.ts';
 import { StabilizedDae } from '../../../src/core/mechanics/stabilizedDae.ts';
 import { Ida } from '../../../src/core/integrators/multistep/ida.ts';

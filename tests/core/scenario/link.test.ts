@@ -1,12 +1,11 @@
 // Links: every scenario comes back as it was, and nothing a stranger writes gets further than a named refusal.
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { cases } from '../../../src/core/cases/cases.ts';
+import { cases, systemViews } from '../../../src/core/systems/registry.ts';
 import { checkScenario, collectScenarioErrors } from '../../../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';
 import { decodeLink, encodeLink, LinkError, LONGEST_LINK } from '../../../src/core/scenario/link.ts';
 import { difference, patched } from '../../../src/core/scenario/patch.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
 
 const systems = Object.fromEntries(Object.entries(systemViews).map(([id, { meta }]) => [id, meta]));
 const known = { systems, cases };

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { judgeMotion } from '../../../src/core/simulation/judge.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { runOf } from '../../helpers.ts';
 
 const ripstik = systems['ripstik']!;

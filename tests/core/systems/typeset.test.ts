@@ -1,12 +1,10 @@
 import katex from 'katex';
 import { describe, expect, test } from 'vitest';
 import type { Motion } from '../../../src/app/types.ts';
-import { cases } from '../../../src/core/cases/cases.ts';
+import { cases, loadSystem, loadTypeset, systemViews } from '../../../src/core/systems/registry.ts';
 import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import { EXTRA_COLUMNS, Simulation } from '../../../src/core/simulation/simulation.ts';
-import { loadSystem } from '../../../src/core/systems/loaders.ts';
-import { loadTypeset, marksOf, setMarks, type Typeset } from '../../../src/core/systems/typeset.ts';
-import { systemViews } from '../../../src/core/systems/views.ts';
+import { marksOf, setMarks, type Typeset } from '../../../src/core/model/typeset.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
 import { equations as words } from '../../../src/features/equations/words.ts';
 import { meaningOf, titleOfRow } from '../../../src/features/equations/meaning.ts';

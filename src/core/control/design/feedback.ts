@@ -2,7 +2,7 @@ import { lqrOf } from './scenarioControl.ts';
 import { scheduledFeedbackOf } from './scheduledFeedback.ts';
 import type { Feedback } from '../../mechanics/forcing.ts';
 import type { Scenario } from '../../scenario/types.ts';
-import type { System } from '../../systems/types.ts';
+import type { System } from '../../model/system.ts';
 
 /**
  * State feedback `u = -K (x - x_ref(t))`, x_ref(t) = (q0 + v0 t, v0): what one input of the controller asks.

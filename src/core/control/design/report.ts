@@ -1,5 +1,5 @@
 import type { Scenario } from '../../scenario/types.ts';
-import type { System } from '../../systems/types.ts';
+import type { System } from '../../model/system.ts';
 import { decays, type Decay, type LqrDesign, type UnreachableMode } from './lqr.ts';
 import type { InputReach } from '../linearization/reachability.ts';
 import type { PreparedPlant } from '../linearization/preparedPlant.ts';

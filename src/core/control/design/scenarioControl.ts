@@ -1,6 +1,6 @@
-import { inputsOf } from '../../mechanics/inputs.ts';
+import { inputsOf } from '../../model/inputs.ts';
 import { ScenarioError, type LqrControl, type Scenario } from '../../scenario/types.ts';
-import type { InputMeta, System, SystemMeta } from '../../systems/types.ts';
+import type { InputMeta, System, SystemMeta } from '../../model/system.ts';
 import { designLqr, type LqrDesign, type Weights } from './lqr.ts';
 import { located, preparedPlant, type PreparedPlant } from '../linearization/preparedPlant.ts';
 import type { Plant, SteadyMotion } from '../linearization/steadyMotion.ts';

@@ -1,8 +1,8 @@
 import { Matrix } from 'ml-matrix';
-import { inputsOf } from '../../mechanics/inputs.ts';
+import { inputsOf } from '../../model/inputs.ts';
 import type { Feedback } from '../../mechanics/forcing.ts';
 import { ScenarioError, type LqrControl, type Scenario } from '../../scenario/types.ts';
-import type { System, SystemMeta } from '../../systems/types.ts';
+import type { System, SystemMeta } from '../../model/system.ts';
 import { GainSchedule } from './gainSchedule.ts';
 import { designLqr } from './lqr.ts';
 import { located, preparedPlant } from '../linearization/preparedPlant.ts';

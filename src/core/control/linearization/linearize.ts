@@ -1,6 +1,6 @@
 import { Matrix } from 'ml-matrix';
 import { AccelerationJacobian } from '../../mechanics/formulations/accelerationJacobian.ts';
-import type { InputMeta } from '../../systems/types.ts';
+import type { InputMeta } from '../../model/system.ts';
 import { besides, columnSpace, ControlError, fromRowMajor, maxDifference, solveLinear, stacked } from './matrices.ts';
 import type { SteadyMotion } from './steadyMotion.ts';
 

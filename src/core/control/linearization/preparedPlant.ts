@@ -1,6 +1,6 @@
 import { StartError } from '../../mechanics/consistentStart.ts';
 import { ScenarioError } from '../../scenario/types.ts';
-import type { InputMeta, System } from '../../systems/types.ts';
+import type { InputMeta, System } from '../../model/system.ts';
 import { compareOrders, linearize, type OrderComparison } from './linearize.ts';
 import { reachablePlant, type ReachablePlant } from '../design/lqr.ts';
 import { ControlError } from './matrices.ts';

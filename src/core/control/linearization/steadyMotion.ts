@@ -2,7 +2,7 @@ import { consistentStart, type StartAdjustment } from '../../mechanics/consisten
 import { ConstrainedSystem } from '../../mechanics/constrainedSystem.ts';
 import { AccelerationJacobian } from '../../mechanics/formulations/accelerationJacobian.ts';
 import { maxAbs } from '../../linalg/dense.ts';
-import type { System } from '../../systems/types.ts';
+import type { System } from '../../model/system.ts';
 import { ControlError } from './matrices.ts';
 
 /**

@@ -1,6 +1,6 @@
 import type { Matrix } from 'ml-matrix';
 import { StartError } from '../../mechanics/consistentStart.ts';
-import type { InputMeta } from '../../systems/types.ts';
+import type { InputMeta } from '../../model/system.ts';
 import { linearize } from '../linearization/linearize.ts';
 import { designLqr, reachablePlant, type LqrDesign, type Weights } from '../design/lqr.ts';
 import { ControlError } from '../linearization/matrices.ts';

@@ -1,7 +1,7 @@
 import { Matrix } from 'ml-matrix';
 import { StartError } from '../../mechanics/consistentStart.ts';
 import { ScenarioError, type Scenario } from '../../scenario/types.ts';
-import type { System } from '../../systems/types.ts';
+import type { System } from '../../model/system.ts';
 import { setTo, type OneOpen } from './families.ts';
 import { linearize } from '../linearization/linearize.ts';
 import { ControlError } from '../linearization/matrices.ts';

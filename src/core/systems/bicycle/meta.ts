@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const benchmark = 'Meijaard et al. 2007, Table 1';
 const degree = Math.PI / 180;
@@ -276,7 +276,15 @@ export const bicycleMeta = {
     },
   ],
   parameterSets: {},
-  constraintSets: [{ id: 'rolling', label: 'Rolling: no slip at either contact, both wheels on the ground' }],
+  constraintSets: [
+    {
+      id: 'rolling',
+      label: 'Rolling: no slip at either contact, both wheels on the ground',
+      /** Rear along and across its heading, front along and across, height of the front contact. */
+      rows: 5,
+      contact: { rows: [4], solveFor: ['pitch'] },
+    },
+  ],
   inputs: [
     {
       name: 'tau_roll',
@@ -310,4 +318,5 @@ export const bicycleMeta = {
     { id: 'front-frame', label: 'front frame', part: 'board' },
     { id: 'front-wheel', label: 'front wheel', part: 'front' },
   ],
+  views: { ridden: true },
 } as const satisfies SystemMeta;

@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const report = 'report, section 3.3.1';
 

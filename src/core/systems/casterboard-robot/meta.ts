@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const paper = 'Kinugasa et al. 2013';
 
@@ -99,7 +99,7 @@ export const casterboardRobotMeta = {
   ],
   parameterSets: { text: {}, table: { J: 0.039 } },
   constraintSets: [
-    { id: 'rolling', label: 'Rolling: each caster moves along its heading' },
+    { id: 'rolling', label: 'Rolling: each caster moves along its heading', rows: 2 },
     { id: 'none', label: 'None: free to slide' },
   ],
   inputs: [
@@ -127,4 +127,5 @@ export const casterboardRobotMeta = {
     { id: 'front-wheel', label: 'front wheel', part: 'front' },
     { id: 'rear-wheel', label: 'rear wheel', part: 'back' },
   ],
+  views: { ridden: true },
 } as const satisfies SystemMeta;

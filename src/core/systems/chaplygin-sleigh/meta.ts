@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const own = 'chosen for this program, not published';
 
@@ -45,11 +45,12 @@ export const chaplyginSleighMeta = {
   ],
   parameterSets: {},
   constraintSets: [
-    { id: 'rolling', label: 'Blade: no motion across its heading' },
+    { id: 'rolling', label: 'Blade: no motion across its heading', rows: 1 },
     { id: 'none', label: 'None: free to slide' },
   ],
   inputs: [
     { name: 'tau_theta', symbol: 'τ_θ', label: 'turning torque', unit: 'N·m', column: { theta: 1 }, tracks: ['theta'] },
   ],
   bodies: [{ id: 'sleigh', label: 'sleigh', part: 'board' }],
+  views: { ridden: true },
 } as const satisfies SystemMeta;

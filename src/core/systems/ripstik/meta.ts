@@ -1,7 +1,10 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const authors = 'model of the report’s authors';
 const degree = Math.PI / 180;
+
+/** Rows 1 and 3 are the gradients of the skate points' heights, in every set with rows. */
+const contact = { rows: [1, 3], solveFor: ['Z', 'psi'] } as const;
 
 /** The board: five bodies, ten coordinates, four multipliers. Order and names are part of every file format. */
 export const ripstikMeta = {
@@ -221,8 +224,8 @@ export const ripstikMeta = {
   ],
   parameterSets: { street: {}, authors: { casterTrail: -0.04 } },
   constraintSets: [
-    { id: 'rolling', label: 'Rolling: each skate moves in its own plane, on the ground' },
-    { id: 'report', label: 'As the report: no world-Y motion of the skates, on the ground' },
+    { id: 'rolling', label: 'Rolling: each skate moves in its own plane, on the ground', rows: 4, contact },
+    { id: 'report', label: 'As the report: no world-Y motion of the skates, on the ground', rows: 4, contact },
     { id: 'none', label: 'None: free bodies' },
   ],
   inputs: [
@@ -273,7 +276,10 @@ export const ripstikMeta = {
     { id: 'rod', label: 'rod', part: 'board' },
     { id: 'front-plate', label: 'front plate', part: 'front' },
     { id: 'back-plate', label: 'back plate', part: 'back' },
-    { id: 'front-caster', label: 'front caster', part: 'front' },
-    { id: 'back-caster', label: 'back caster', part: 'back' },
+    { id: 'front-caster', label: 'front caster', part: 'front', model: 'caster' },
+    { id: 'back-caster', label: 'back caster', part: 'back', model: 'caster' },
   ],
+  optionalForces: ['wheelDrag'],
+  touchdown: { bodies: ['front-plate', 'back-plate'], box: ['plateLength', 'plateWidth', 'plateThickness'] },
+  views: { ridden: true, closeUp: 'front-caster' },
 } as const satisfies SystemMeta;

@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const report = 'report, section 3.4.1';
 
@@ -66,7 +66,7 @@ export const rollingWheelMeta = {
   ],
   parameterSets: {},
   constraintSets: [
-    { id: 'rolling', label: 'Rolling: X′ = ρ φ′ cos θ, Y′ = ρ φ′ sin θ' },
+    { id: 'rolling', label: 'Rolling: X′ = ρ φ′ cos θ, Y′ = ρ φ′ sin θ', rows: 2 },
     { id: 'none', label: 'None: free to slide' },
   ],
   inputs: [
@@ -81,4 +81,5 @@ export const rollingWheelMeta = {
     { name: 'tau_phi', symbol: 'τ_φ', label: 'driving torque', unit: 'N·m', column: { phi: 1 }, tracks: ['phi'] },
   ],
   bodies: [{ id: 'wheel', label: 'wheel', part: 'board' }],
+  views: { ridden: true },
 } as const satisfies SystemMeta;

@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 /** The stiff example of the report's Fig. 13, of first order: y' = -rate y. */
 export const stiffDecayMeta = {

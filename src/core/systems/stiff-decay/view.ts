@@ -1,4 +1,4 @@
-import type { SystemView } from '../types.ts';
+import type { SystemView } from '../../model/system.ts';
 import { stiffDecayMeta } from './meta.ts';
 import { poses } from './poses.generated.ts';
 

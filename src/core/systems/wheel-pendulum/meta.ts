@@ -1,4 +1,4 @@
-import type { SystemMeta } from '../types.ts';
+import type { SystemMeta } from '../../model/system.ts';
 
 const report = 'report, section 3.5';
 
@@ -82,7 +82,7 @@ export const wheelPendulumMeta = {
   ],
   parameterSets: {},
   constraintSets: [
-    { id: 'rolling', label: 'Rolling: X′ = ρ φ′' },
+    { id: 'rolling', label: 'Rolling: X′ = ρ φ′', rows: 1 },
     { id: 'none', label: 'None: free to slide' },
   ],
   inputs: [

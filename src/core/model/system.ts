@@ -1,0 +1,209 @@
+/**
+ * What a mechanical system is to the rest of the program.
+ *
+ * Every system is `M(q) a = h(q, v) + B u + Omega(q)^T lambda` with `Omega(q) v = 0`.
+ * All matrices are row-major `Float64Array`s owned by the caller; SI units and radians.
+ */
+
+/** A generalized coordinate, as it is named in every file, API and test. */
+export interface CoordinateMeta {
+  name: string;
+  /** Typeset symbol for the page, e.g. `α_fp`. */
+  symbol: string;
+  /** Plain words, e.g. "front plate roll, relative to the rod". */
+  label: string;
+  kind: 'length' | 'angle';
+  /** Which part it belongs to: decides its colour everywhere. */
+  part: 'board' | 'front' | 'back';
+  /** Value at rest when `initial` does not name it (default 0). */
+  rest?: number;
+}
+
+export interface ParameterMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  unit: string;
+  default: number;
+  /** Angles are shown in degrees, kept in radians. */
+  kind?: 'angle';
+  /** Inclusive bounds outside which the model has no meaning; refused with a message. */
+  min?: number;
+  max?: number;
+  /** Strictly greater than zero. */
+  positive?: boolean;
+  group: string;
+  note?: string;
+  /** Where the default comes from. */
+  source?: string;
+}
+
+export interface InputMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  unit: string;
+  /** Non-zero entries of this input's column of B: coordinate name -> value. */
+  column: Readonly<Record<string, number>>;
+  /** For `track`: the coordinates whose sum follows this input's reference. */
+  tracks?: readonly string[];
+}
+
+export interface BodyMeta {
+  id: string;
+  /** The mesh that it wears, if not one of its own name. */
+  model?: string;
+  label: string;
+  part: 'board' | 'front' | 'back';
+}
+
+/** A constraint set as the meta names it; one without rows leaves the system free. */
+export interface ConstraintSetMeta {
+  id: string;
+  label: string;
+  /** Of Omega. */
+  rows?: number;
+  /** Holonomic part: which rows of Omega are gradients of heights, and the coordinates that give way (Newton) so that the start touches the ground. */
+  contact?: { rows: readonly number[]; solveFor: readonly string[] };
+}
+
+/** Velocity constraints `Omega(q) v = 0` with `Omega a + gamma = 0`, gamma = Omega_dot v. */
+export interface ConstraintSet {
+  id: string;
+  rows: number;
+  /** `Omega` is rows x n, `gamma` has rows entries. */
+  evaluate(q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array): void;
+  /** The system's `mechanics` and `evaluate` in one, where that is cheaper than the two. */
+  dynamics?(
+    q: Float64Array,
+    v: Float64Array,
+    p: Float64Array,
+    massMatrix: Float64Array,
+    h: Float64Array,
+    omega: Float64Array,
+    gamma: Float64Array,
+  ): void;
+  /**
+   * Exact Jacobians at given a and lambda:
+   * `forceQ` = d(Omega^T lambda)/dq (n x n), `rateQ`, `rateV` = d(Omega a + gamma)/dq, /dv (rows x n),
+   * `velocityQ` = d(Omega v)/dq (rows x n).
+   */
+  jacobians(
+    q: Float64Array,
+    v: Float64Array,
+    a: Float64Array,
+    lambda: Float64Array,
+    p: Float64Array,
+    forceQ: Float64Array,
+    rateQ: Float64Array,
+    rateV: Float64Array,
+    velocityQ: Float64Array,
+  ): void;
+  /** Holonomic part: heights kept at exactly zero. `rows[i]` is the row of Omega that is d(height_i)/dq. */
+  contact: ContactMeta | null;
+}
+
+export interface ContactMeta {
+  count: number;
+  rows: readonly number[];
+  heights(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Coordinates that give way (Newton) so that the start touches the ground. */
+  solveFor: readonly string[];
+}
+
+export interface SystemMeta {
+  id: string;
+  title: string;
+  /** Of the differential equations, 2 unless told otherwise; of order 1 the state is q alone, and there is no energy. */
+  order?: 1 | 2;
+  coordinates: readonly CoordinateMeta[];
+  parameters: readonly ParameterMeta[];
+  parameterSets: Readonly<Record<string, Readonly<Record<string, number>>>>;
+  /** First one is the default. */
+  constraintSets: readonly ConstraintSetMeta[];
+  inputs: readonly InputMeta[];
+  /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
+  speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
+  /** Which way is forward, where `speed` does not say it: the velocity along the heading is what gains are scheduled over. */
+  forward?: { along: readonly [string, string]; heading: string };
+  /** Inputs that a regulator is first offered with; all of them where this is left out. */
+  regulators?: readonly string[];
+  bodies: readonly BodyMeta[];
+  /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
+  optionalForces?: readonly string[];
+  /** Boxes that may not touch the ground, centred on bodies: ids, and the parameters that are their sides (m) along x, y and z. */
+  touchdown?: { bodies: readonly string[]; box: readonly [string, string, string] };
+  /** Ways to look at it: from aboard, where it goes somewhere, and at a body close up. */
+  views?: { ridden?: boolean; closeUp?: string };
+}
+
+/** @returns position of a parameter in the vector `p`; throws where the system has none of that name */
+export function parameterIndex(meta: SystemMeta, name: string): number {
+  const index = meta.parameters.findIndex((parameter) => parameter.name === name);
+  if (index < 0) throw new Error(`${meta.id} has no parameter ${name}`);
+  return index;
+}
+
+/** Names of the meshes that a person can replace, in the order of the bodies. */
+export const modelsOf = ({ bodies }: Pick<SystemMeta, 'bodies'>): readonly string[] => [
+  ...new Set(bodies.map(({ id, model }) => model ?? id)),
+];
+
+/** What a view needs: names and poses, no dynamics. */
+export interface SystemView {
+  meta: SystemMeta;
+  /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
+  poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
+  contacts: readonly TrackedContact[];
+  /** Points whose paths are drawn; the contacts' where it is absent. */
+  tracks?: readonly TrackedPoint[];
+}
+
+export interface TrackedPoint {
+  body: number;
+  part: 'board' | 'front' | 'back';
+  /** Name of the parameter that is the radius (m) of a wheel about the body's y: its lowest point leaves the path, not the origin. */
+  rim?: string;
+}
+
+export interface TrackedContact {
+  body: number;
+  part: 'front' | 'back';
+  /** Name of the parameter that is the wheel's radius (m). */
+  radius: string;
+  /** Index of the multiplier that is the force along the axle, or (by constraint set) along world Y, and of the vertical one. */
+  lateral: number;
+  vertical: number;
+  /** Constraint sets whose lateral row acts along world Y instead of the axle. */
+  worldLateral: readonly string[];
+}
+
+export interface System extends SystemView {
+  /** Mass matrix (n x n, both triangles) and h (n) at q, v. */
+  mechanics(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array): void;
+  /** Exact Jacobians of `M a - h` at given a: `dq`, `dv` (n x n each). */
+  jacobians(
+    q: Float64Array,
+    v: Float64Array,
+    a: Float64Array,
+    p: Float64Array,
+    dq: Float64Array,
+    dv: Float64Array,
+  ): void;
+  /** `out` = [kinetic, potential] in J. */
+  energy(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Exact derivatives of `poses` by q (12 per body x n). Without it no body can be pushed. */
+  poseJacobian?(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  constraintSets: Readonly<Record<string, ConstraintSet>>;
+  /**
+   * A system of first order: f of `q' = f(q)` and df/dq (n x n). Its `mechanics` are then that equation's rate, M = 1 and
+   * h = df/dq v; its energy is 0.
+   */
+  firstOrder?: {
+    rate(q: Float64Array, p: Float64Array, out: Float64Array): void;
+    jacobian(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  };
+  /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
+  clearance?(q: Float64Array, p: Float64Array): number;
+}

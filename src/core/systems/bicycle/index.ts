@@ -1,0 +1,11 @@
+import type { SystemFolder } from '../folder.ts';
+import { bicycleCases } from './cases.ts';
+import { bicycleView } from './view.ts';
+
+export const bicycle: SystemFolder = {
+  view: bicycleView,
+  cases: bicycleCases,
+  equations: () => import('./equations.generated.ts'),
+  typeset: () => import('./typeset.generated.json'),
+  drawing: () => import('./drawing.ts'),
+};

@@ -1,0 +1,11 @@
+import type { SystemFolder } from '../folder.ts';
+import { cartPendulumCases } from './cases.ts';
+import { cartPendulumView } from './view.ts';
+
+export const cartPendulum: SystemFolder = {
+  view: cartPendulumView,
+  cases: cartPendulumCases,
+  equations: () => import('./equations.generated.ts'),
+  typeset: () => import('./typeset.generated.json'),
+  drawing: () => import('./drawing.ts'),
+};

@@ -1,0 +1,13 @@
+import type { SystemFolder } from '../folder.ts';
+import { ripstikCases } from './cases.ts';
+import { layout, shapedBy } from './drawing/layout.ts';
+import { ripstikView } from './view.ts';
+
+export const ripstik: SystemFolder = {
+  view: ripstikView,
+  cases: ripstikCases,
+  equations: () => import('./equations.generated.ts'),
+  typeset: () => import('./typeset.generated.json'),
+  drawing: () => import('./drawing.ts'),
+  shipped: { shapedBy, layout },
+};

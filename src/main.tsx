@@ -1,3 +1,4 @@
+import './ui/style.css';
 import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
 import { Comparison } from './app/runs/comparison.ts';
@@ -7,7 +8,7 @@ import { stageOf } from './app/runs/stage.ts';
 import { prepareVisit } from './app/startup.ts';
 import { formulations } from './core/mechanics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
-import { tools } from './features/registry.ts';
+import { features } from './features/registry.ts';
 import './ui/kit/disposeReplaced.ts';
 import { Shell } from './ui/shell/shell.tsx';
 import { connectScene } from './stage/sceneBridge.ts';
@@ -39,7 +40,7 @@ const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
 const visit = prepareVisit(
   app,
-  tools.map(({ id }) => id),
+  features.flatMap(({ id, tool }) => (tool ? [id] : [])),
 );
 
 render(
@@ -48,7 +49,7 @@ render(
     methods={methods.map(({ id, label, adaptive }) => ({ id, label, adaptive }))}
     formulations={formulations}
     origin={app.state.origin}
-    tools={tools}
+    features={features}
     onForget={() => void visit.keeper.forget()}
     sceneText={stage.description}
     sceneError={sceneError}

@@ -7,7 +7,7 @@ import type { App, CaseInfo } from '../app/types.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/model/system.ts';
 import { sameContent } from '../app/state/draft.ts';
-import type { Tool } from './tool.ts';
+import type { Feature, Tool } from './feature.ts';
 
 export interface MethodChoice {
   id: string;
@@ -25,8 +25,9 @@ export interface Ui {
   app: App;
   methods: readonly MethodChoice[];
   formulations: readonly FormulationChoice[];
-  /** The places to work in beside the scene. */
-  tools: readonly Tool[];
+  features: readonly Feature[];
+  /** The places to work in beside the scene, each under its feature's id. */
+  tools: readonly (Tool & { id: string })[];
   /** The case the draft came from; fields are compared with it. */
   origin: ReadonlySignal<CaseInfo | null>;
   /** Rises when the draft is replaced as a whole: fields then forget rejected text. */
@@ -48,7 +49,7 @@ export function createUi(
   app: App,
   methods: readonly MethodChoice[],
   formulations: readonly FormulationChoice[],
-  tools: readonly Tool[],
+  features: readonly Feature[],
   origin?: ReadonlySignal<CaseInfo | null>,
 ): Ui {
   const epoch = signal(0);
@@ -56,7 +57,8 @@ export function createUi(
     app,
     methods,
     formulations,
-    tools,
+    features,
+    tools: features.flatMap(({ id, tool }) => (tool ? [{ id, ...tool }] : [])),
     epoch,
     origin: origin ?? lastMatchingCase(app),
     rejected: signal<ReadonlyMap<string, string>>(new Map()),

@@ -5,6 +5,7 @@ import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import './analysis.css';
 import { Eigenvalues } from './eigenvalues.tsx';
 import { GainSection, type SaveText } from './gainSection.tsx';
@@ -14,7 +15,6 @@ import { OrdersSection } from './ordersSection.tsx';
 import { PointSection } from './pointSection.tsx';
 import { ReachSection } from './reachSection.tsx';
 
-const words = text.analysis;
 const ASKER = 'analysis';
 
 export interface AnalysisProps {
@@ -27,7 +27,7 @@ export function AnalysisView({ plot, save }: AnalysisProps) {
   const system = ui.system.value;
   const { analysis, problem, computing } = useAnalysis();
   if (!system) return null;
-  const names = stateNames(system.meta, text.panel.rate);
+  const names = stateNames(system.meta, words.rate);
   const current = analysis?.system === system.meta.id ? analysis : null;
   return (
     <div
@@ -36,7 +36,7 @@ export function AnalysisView({ plot, save }: AnalysisProps) {
       data-testid="analysis"
       data-state={computing ? 'computing' : problem ? 'refused' : 'ready'}
     >
-      <p class="analysis-about">{words.about(ui.origin.value?.title ?? text.top.ownScenario)}</p>
+      <p class="analysis-about">{words.about(ui.origin.value?.title ?? text.ownScenario)}</p>
       {problem && (
         <p class="error analysis-problem" role="alert" data-testid="analysis-problem">
           {problem}

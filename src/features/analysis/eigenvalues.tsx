@@ -4,7 +4,7 @@ import type { Signal } from '@preact/signals';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section, Toggle } from '../../ui/kit/controls.tsx';
 import { formatFixed, formatShort, THIN } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, type Cluster, type ModeRow } from './modes.ts';
 import type { StateName } from './names.ts';
 import { CROSS, Plane, type Place } from './plane.tsx';
@@ -13,7 +13,6 @@ import { ShowMode } from './showMode.tsx';
 import { StateSymbol } from './stateSymbol.tsx';
 
 type Names = ReadonlyMap<string, StateName>;
-const words = text.analysis;
 
 export function Eigenvalues({ analysis, names }: { analysis: ControlAnalysis; names: Names }) {
   const pointed = useSignal<string | null>(null);

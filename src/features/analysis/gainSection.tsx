@@ -4,12 +4,11 @@ import { exportFormats, type ExportFormat } from '../../core/control/design/expo
 import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import type { StateName } from './names.ts';
 import { InputHead } from './reachSection.tsx';
 import { StateSymbol } from './stateSymbol.tsx';
 
-const words = text.analysis;
 /** Gains below this share of the largest are rounding. */
 const ROUNDING = 1e-12;
 

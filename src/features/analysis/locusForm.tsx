@@ -6,10 +6,10 @@ import type { LocusRequest } from '../../core/control/locus/scenarioLocus.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { numberOf, type NumberSpec } from '../../ui/kit/useNumberField.ts';
 import { offeredRange, type LocusSubject } from './subjects.ts';
 
-const words = text.analysis;
 const COUNT = 121;
 const MOST = 1000;
 
@@ -98,7 +98,7 @@ export function LocusForm({
                 </option>
               ))}
           </optgroup>
-          <optgroup label={text.panel.parameters}>
+          <optgroup label={words.parameters}>
             {subjects
               .filter((s) => s.vary === 'parameter')
               .map((s) => (

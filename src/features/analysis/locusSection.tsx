@@ -9,7 +9,7 @@ import type { SystemView } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
 import { formatShort, THIN } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import type { SaveText } from './gainSection.tsx';
 import { LocusForm } from './locusForm.tsx';
 import { LocusPlane } from './locusPlane.tsx';
@@ -17,8 +17,6 @@ import { eigenvalueText, signed } from './modes.ts';
 import { analysedPart, type StateName } from './names.ts';
 import { bendOf, isWide, logarithmicScale } from './planeScale.ts';
 import { subjectsOf, type LocusSubject } from './subjects.ts';
-
-const words = text.analysis;
 
 export interface LocusDrawingProps {
   xLabel: string;

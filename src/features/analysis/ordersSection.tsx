@@ -2,10 +2,9 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific, formatShort, THIN } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { fastestGrowth } from './modes.ts';
 
-const words = text.analysis;
 /** Entries of A that differ by less than this, relative to the fastest eigenvalue, are the same. */
 const SAME = 1e-9;
 

@@ -3,7 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Complex } from '../../core/control/linearization/spectrum.ts';
 import { formatShort } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { bendOf, extent, linearScale, logarithmicScale } from './planeScale.ts';
 
 const MARGIN = { left: 52, right: 12, top: 12, bottom: 34 };
@@ -71,7 +71,7 @@ export function Plane({
         <line class="axis" x1={frame.x} x2={frame.x + frame.width} y1={axisY} y2={axisY} />
         <line class="axis" x1={axisX} x2={axisX} y1={frame.y} y2={frame.y + frame.height} />
         <text class="tick" x={frame.x + frame.width} y={height - 4} text-anchor="end">
-          {text.analysis.realPart}
+          {words.realPart}
         </text>
         <text
           class="tick"
@@ -80,7 +80,7 @@ export function Plane({
           text-anchor="middle"
           transform={`rotate(-90 10 ${frame.y + frame.height / 2})`}
         >
-          {text.analysis.imaginaryPart}
+          {words.imaginaryPart}
         </text>
         {children(([re, im]) => ({ x: x(re), y: y(im) }))}
       </svg>

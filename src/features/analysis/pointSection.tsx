@@ -7,12 +7,10 @@ import { Section } from '../../ui/kit/controls.tsx';
 import { formatQuantity, formatShort, THIN } from '../../ui/kit/format.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 import { pointOf, pointPath, withPoint, type StateName } from './names.ts';
 import { StateSymbol } from './stateSymbol.tsx';
-
-const words = text.analysis;
 
 export function PointSection({
   analysis,
@@ -142,7 +140,7 @@ function Motion({
       )}
       {point.multipliers.length > 0 && (
         <div>
-          <dt>{text.now.multipliers}</dt>
+          <dt>{words.multipliers}</dt>
           <dd>
             {point.multipliers.map((value, i) => (
               <span key={i} class="fact">
@@ -171,8 +169,8 @@ function Fact({ state, value }: { state: StateName; value: number }) {
 /** `front vertical`, or nothing where the multiplier is no wheel's force. */
 function role(system: SystemView, index: number): string {
   for (const { part, lateral, vertical } of system.contacts) {
-    if (index === lateral) return `${text.now.part[part]} ${text.now.lateral}`;
-    if (index === vertical) return `${text.now.part[part]} ${text.now.vertical}`;
+    if (index === lateral) return `${words.part[part]} ${words.lateral}`;
+    if (index === vertical) return `${words.part[part]} ${words.vertical}`;
   }
   return '';
 }

@@ -4,13 +4,12 @@ import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific } from '../../ui/kit/format.ts';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { Movers } from './eigenvalues.tsx';
 import { eigenvalueText, reachRows } from './modes.ts';
 import type { StateName } from './names.ts';
 
 type Names = ReadonlyMap<string, StateName>;
-const words = text.analysis;
 
 export function ReachSection({ analysis, names, meta }: { analysis: ControlAnalysis; names: Names; meta: SystemMeta }) {
   const {

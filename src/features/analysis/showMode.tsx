@@ -3,12 +3,11 @@ import { Matrix } from 'ml-matrix';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { ModeRequest } from '../../app/runs/modePreview.ts';
-import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { eigenvalueText, type ModeRow } from './modes.ts';
+import { modeWords as words } from './words.ts';
 
-const words = text.look;
 /** Where the tool lies over the scene: it makes way. */
 const COVERED = '(min-width: 761px) and (max-width: 1240px)';
 

@@ -3,7 +3,7 @@ import type { Motion } from '../../app/types.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatValue } from '../../ui/kit/format.ts';
-import { sample, useSlowTime } from '../now/nowPanel.tsx';
+import { sample, useSlowTime } from '../../ui/slowTime.ts';
 import { Chip } from '../../ui/kit/symbol.tsx';
 import { useBook } from './context.ts';
 import { Formula, Letter } from './formula.tsx';

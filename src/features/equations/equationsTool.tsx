@@ -6,10 +6,10 @@ import type { Typeset } from '../../core/model/typeset.ts';
 import { loadTypeset } from '../../core/systems/registry.ts';
 import type { SystemView } from '../../core/model/system.ts';
 import { equations as words } from './words.ts';
-import { text } from '../../ui/words.ts';
+import { words as kit } from '../../ui/kit/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { THIN } from '../../ui/kit/format.ts';
-import { useSlowTime } from '../now/nowPanel.tsx';
+import { useSlowTime } from '../../ui/slowTime.ts';
 import { BodiesSection } from './bodiesSection.tsx';
 import { ConstraintsSection } from './constraintsSection.tsx';
 import { BookContext, useBook } from './context.ts';
@@ -40,7 +40,7 @@ export function EquationsTool() {
   if (typeset?.system !== view.meta.id)
     return (
       <p class="hint pad" role={state === 'failed' ? 'alert' : 'status'}>
-        {state === 'failed' ? text.later.failed : text.later.loading}
+        {state === 'failed' ? kit.failed : kit.loading}
       </p>
     );
   return <Sections key={view.meta.id} view={view} typeset={typeset} />;

@@ -3,7 +3,7 @@ import type { InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort, THIN } from '../../ui/kit/format.ts';
-import { sample, useSlowTime } from '../now/nowPanel.tsx';
+import { sample, useSlowTime } from '../../ui/slowTime.ts';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';
 import { useBook } from './context.ts';
 import { Letter } from './formula.tsx';

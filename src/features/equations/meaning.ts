@@ -4,7 +4,7 @@ import type { SystemView } from '../../core/model/system.ts';
 import type { Typeset } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
-import { sample } from '../now/nowPanel.tsx';
+import { sample } from '../../ui/slowTime.ts';
 
 const words = equations.meaning;
 

@@ -3,7 +3,7 @@ import type { Motion } from '../../app/types.ts';
 import { inputsOf } from '../../core/model/inputs.ts';
 import { cholesky, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../../core/linalg/dense.ts';
 import type { System } from '../../core/model/system.ts';
-import { sample } from '../now/nowPanel.tsx';
+import { sample } from '../../ui/slowTime.ts';
 
 /** All in SI units and radians; n coordinates, m constraint rows. */
 export interface Present {

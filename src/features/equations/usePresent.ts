@@ -4,7 +4,7 @@ import type { Motion } from '../../app/types.ts';
 import { loadSystem } from '../../core/systems/registry.ts';
 import type { System } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
-import { useSlowTime } from '../now/nowPanel.tsx';
+import { useSlowTime } from '../../ui/slowTime.ts';
 import { useBook } from './context.ts';
 import { presentOf, type Present } from './present.ts';
 

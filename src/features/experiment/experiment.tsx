@@ -7,10 +7,11 @@ import { ParametersSection } from './parametersSection.tsx';
 import { StartSection } from './startSection.tsx';
 import { SystemSection } from './systemSection.tsx';
 import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 
 export function Experiment() {
   return (
-    <div class="experiment">
+    <div class="experiment" data-enter="run">
       <div class="scroll">
         <SystemSection />
         <StartSection />
@@ -39,7 +40,7 @@ function RunBar() {
           {errors[0]![0]}: {errors[0]![1]}
         </p>
       )}
-      {errors.length === 0 && rejected > 0 && <p class="error">{text.panel.notInForce(rejected)}</p>}
+      {errors.length === 0 && rejected > 0 && <p class="error">{words.notInForce(rejected)}</p>}
       {errors.length + rejected === 0 && run?.kind === 'ended' && run.reason !== 'end' && (
         <p class="outcome">
           {run.message || `${text.status.reasons[run.reason] ?? run.reason}, ${formatTime(run.time)} s`}
@@ -51,16 +52,16 @@ function RunBar() {
           class="primary"
           data-testid="run"
           disabled={errors.length > 0}
-          title={text.panel.runKeys}
+          title={words.runKeys}
           onClick={() => actions.run()}
         >
-          {text.panel.run} <span aria-hidden="true">▸</span>
+          {words.run} <span aria-hidden="true">▸</span>
         </button>
         <button type="button" data-testid="cancel" disabled={!computing} onClick={() => actions.cancel()}>
           {text.panel.cancel}
         </button>
         <button type="button" data-testid="reset" onClick={() => replaceDraft(ui, () => actions.reset())}>
-          {text.panel.reset}
+          {words.reset}
         </button>
       </div>
     </div>

@@ -8,7 +8,7 @@ import { later } from '../../ui/kit/later.tsx';
 import { firstLqr } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
 const LqrPanel = later(async () => (await import('./lqrPanel.tsx')).LqrPanel);
@@ -22,11 +22,11 @@ export function InputsSection() {
   // raw generalized forces are offered only where the scenario has them
   const raw = Object.keys(draft.inputs ?? {})
     .filter((name) => !named.has(name))
-    .map((name) => ({ name, symbol: name, label: text.panel.rawForce, unit: text.panel.siUnit }));
+    .map((name) => ({ name, symbol: name, label: words.rawForce, unit: words.siUnit }));
   const inputs: readonly Pick<InputMeta, 'name' | 'symbol' | 'label' | 'unit'>[] = [...system.meta.inputs, ...raw];
   if (inputs.length === 0) return null;
   return (
-    <Section title={text.panel.inputs}>
+    <Section title={words.inputs}>
       {inputs.map((input) => (
         <ExpressionField
           key={`${system.meta.id}.${input.name}`}
@@ -40,7 +40,7 @@ export function InputsSection() {
           commit={(value) => edit(ui, (now) => withEntry(now, 'inputs', input.name, value))}
         />
       ))}
-      <p class="hint">{text.panel.inputsHint}</p>
+      <p class="hint">{words.inputsHint}</p>
     </Section>
   );
 }
@@ -53,9 +53,9 @@ export function ControlSection() {
   const tracking = meta?.inputs.filter((input) => input.tracks) ?? [];
   if (!meta || (meta.inputs.length === 0 && !control)) return null;
   const kinds = [
-    { id: 'none', label: text.panel.controlNone },
-    ...(tracking.length > 0 ? [{ id: 'track', label: text.panel.controlTrack }] : []),
-    { id: 'lqr', label: text.panel.controlLqr },
+    { id: 'none', label: words.controlNone },
+    ...(tracking.length > 0 ? [{ id: 'track', label: words.controlTrack }] : []),
+    { id: 'lqr', label: words.controlLqr },
   ];
   const choose = (id: string) => {
     const saved = ui.origin.value?.scenario.control;
@@ -69,9 +69,9 @@ export function ControlSection() {
     ui.app.actions.retune();
   };
   return (
-    <Section title={text.panel.control}>
+    <Section title={words.control}>
       <Choice
-        label={text.panel.controlKind}
+        label={words.controlKind}
         value={control?.type ?? 'none'}
         options={kinds}
         error={ui.app.state.draftErrors.value.get('control')}
@@ -97,7 +97,7 @@ function Track({ control }: { control: TrackControl }) {
   };
   const gain = (key: 'kp' | 'kd'): NumberSpec => ({
     path: `control.${key}`,
-    label: text.panel[key],
+    label: words[key],
     angle: false,
     numeric: true,
     min: 0,
@@ -116,7 +116,7 @@ function Track({ control }: { control: TrackControl }) {
             key={`${system.meta.id}.${input.name}`}
             path={`control.reference.${input.name}`}
             symbol={input.symbol}
-            unit={text.panel.reference}
+            unit={words.reference}
             label={input.tracks!.join(' + ')}
             shown={trackedName(input.tracks!, system.meta.coordinates)}
             value={control.reference[input.name]}
@@ -128,7 +128,7 @@ function Track({ control }: { control: TrackControl }) {
         ))}
       <NumberField symbol="k_p" spec={gain('kp')} testId="control-kp" />
       <NumberField symbol="k_d" spec={gain('kd')} testId="control-kd" />
-      <p class="hint">{text.panel.trackHint}</p>
+      <p class="hint">{words.trackHint}</p>
     </>
   );
 }

@@ -9,7 +9,7 @@ import { formatShort } from '../../ui/kit/format.ts';
 import { LqrReadout } from './lqrReadout.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { text } from '../../ui/words.ts';
+import { lqrWords, words } from './words.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 
 /** Sliders run over powers of ten; the leftmost place of a state's weight is no weight at all. */
@@ -52,14 +52,14 @@ export function LqrPanel({ control }: { control: LqrControl }) {
     undo();
   };
   return (
-    <div class="lqr" data-testid="lqr" onKeyDown={onKeyDown}>
-      <p class="hint">{text.lqr.about}</p>
+    <div class="lqr" data-enter="apply" data-testid="lqr" onKeyDown={onKeyDown}>
+      <p class="hint">{lqrWords.about}</p>
       <InputChoice control={control} meta={meta} change={change} />
       <OperatingPoint control={control} meta={meta} change={change} />
       {(meta.forward ?? meta.speed) && <Schedule control={control} meta={meta} change={change} />}
       <div class="lqr-sets">
         <label>
-          {text.lqr.sets}{' '}
+          {lqrWords.sets}{' '}
           <select
             data-testid="lqr-sets"
             value=""
@@ -70,17 +70,17 @@ export function LqrPanel({ control }: { control: LqrControl }) {
             }}
           >
             <option value="" disabled>
-              {text.lqr.choose}
+              {lqrWords.choose}
             </option>
             {weightSets(meta, control.inputs).map((s) => (
               <option key={s.id} value={s.id}>
-                {text.lqr.setNames[s.id]}
+                {lqrWords.setNames[s.id]}
               </option>
             ))}
           </select>
         </label>
         <button type="button" data-testid="lqr-undo" disabled={history.value.length === 0} onClick={undo}>
-          {text.lqr.undo}
+          {lqrWords.undo}
         </button>
       </div>
       <Weights control={control} meta={meta} change={change} />
@@ -104,7 +104,7 @@ function InputChoice({ control, meta, change }: Part) {
   };
   return (
     <fieldset class="group">
-      <legend>{text.lqr.inputs}</legend>
+      <legend>{lqrWords.inputs}</legend>
       {meta.inputs.map((input) => (
         <Check
           key={input.name}
@@ -124,7 +124,7 @@ function OperatingPoint({ control, meta, change }: Part) {
   const base = saved?.type === 'lqr' ? saved.at : undefined;
   return (
     <fieldset class="group">
-      <legend>{text.lqr.at}</legend>
+      <legend>{lqrWords.at}</legend>
       {operatingKeys(meta, control.at).map((name) => {
         const { coordinate, rate } = stateOf(meta, name);
         const angle = coordinate?.kind === 'angle';
@@ -137,7 +137,7 @@ function OperatingPoint({ control, meta, change }: Part) {
             testId={`lqr-at-${name}`}
             spec={{
               path: `control.at.${name}`,
-              label: coordinate ? labelOf(coordinate, rate) : text.lqr.speed,
+              label: coordinate ? labelOf(coordinate, rate) : lqrWords.speed,
               unit,
               angle,
               optional: true,
@@ -161,11 +161,11 @@ function Schedule({ control: { schedule }, change }: Part) {
   const field = (key: 'from' | 'to') => (
     <NumberField
       key={key}
-      symbol={text.lqr.scheduleEnds[key]}
+      symbol={lqrWords.scheduleEnds[key]}
       testId={`lqr-schedule-${key}`}
       spec={{
         path: `control.schedule.${key}`,
-        label: text.lqr.scheduleLabels[key],
+        label: lqrWords.scheduleLabels[key],
         unit: 'm/s',
         angle: false,
         positive: true,
@@ -180,9 +180,9 @@ function Schedule({ control: { schedule }, change }: Part) {
   );
   return (
     <fieldset class="group">
-      <legend>{text.lqr.schedule}</legend>
+      <legend>{lqrWords.schedule}</legend>
       <Check
-        label={text.lqr.scheduled}
+        label={lqrWords.scheduled}
         testId="lqr-schedule"
         checked={schedule !== undefined}
         onChange={(on) => change({ schedule: on ? FIRST_SCHEDULE : undefined })}
@@ -214,15 +214,15 @@ function Weights({ control, meta, change }: Part) {
   return (
     <>
       <details class="group-fold" open>
-        <summary>{text.lqr.positions}</summary>
+        <summary>{lqrWords.positions}</summary>
         {meta.coordinates.map((c) => row(c, false))}
       </details>
       <details class="group-fold">
-        <summary>{text.lqr.rates}</summary>
+        <summary>{lqrWords.rates}</summary>
         {meta.coordinates.map((c) => row(c, true))}
       </details>
       <details class="group-fold" open>
-        <summary>{text.lqr.efforts}</summary>
+        <summary>{lqrWords.efforts}</summary>
         {chosenInputs(control, meta).map((input) => (
           <Weight
             key={input.name}
@@ -236,16 +236,16 @@ function Weights({ control, meta, change }: Part) {
         ))}
       </details>
       <details class="group-fold">
-        <summary>{text.lqr.limits}</summary>
+        <summary>{lqrWords.limits}</summary>
         {chosenInputs(control, meta).map((input) => (
           <NumberField
             key={input.name}
             symbol={input.symbol}
-            placeholder={text.lqr.none}
+            placeholder={lqrWords.none}
             testId={`lqr-limit-${input.name}`}
             spec={{
               path: `control.limits.${input.name}`,
-              label: text.lqr.limitOf(input.label),
+              label: lqrWords.limitOf(input.label),
               unit: input.unit,
               angle: false,
               positive: true,
@@ -310,7 +310,7 @@ function Weight({
         step={STEP}
         value={place}
         data-testid={`slider-${name}`}
-        aria-label={text.lqr.weightOf(label)}
+        aria-label={lqrWords.weightOf(label)}
         aria-valuetext={formatShort(number, 3)}
         onInput={(event) => {
           const at = Number(event.currentTarget.value);
@@ -330,12 +330,12 @@ const chosenInputs = (
       meta.inputs.find((i) => i.name === name) ?? {
         name,
         symbol: name,
-        label: text.panel.rawForce,
-        unit: text.panel.siUnit,
+        label: words.rawForce,
+        unit: words.siUnit,
       },
   );
 
-const labelOf = ({ label }: CoordinateMeta, rate: boolean): string => (rate ? text.lqr.rateOf(label) : label);
+const labelOf = ({ label }: CoordinateMeta, rate: boolean): string => (rate ? lqrWords.rateOf(label) : label);
 
 function stateOf(meta: SystemMeta, name: string): { coordinate: CoordinateMeta | undefined; rate: boolean } {
   const direct = meta.coordinates.find((c) => c.name === name);

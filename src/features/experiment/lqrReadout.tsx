@@ -5,7 +5,7 @@ import type { Answer } from '../../compute/controlClient.ts';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
-import { text } from '../../ui/words.ts';
+import { lqrWords as words } from './words.ts';
 
 const WIDTH = 288;
 const HEIGHT = 150;
@@ -30,7 +30,7 @@ export function LqrReadout() {
   if (!now)
     return (
       <p class="hint" data-testid="lqr-readout">
-        {text.lqr.computing}
+        {words.computing}
       </p>
     );
   if (!now.ok)
@@ -47,17 +47,17 @@ export function LqrReadout() {
     <div class="lqr-readout" data-testid="lqr-readout">
       <ComplexPlane open={now.value.eigenvalues} closed={now.value.closedLoopEigenvalues ?? []} />
       <dl class="facts">
-        <dt>{text.lqr.slowest}</dt>
+        <dt>{words.slowest}</dt>
         <dd>{slowest ? `${formatShort(slowest.timeConstant ?? Infinity, 3)} s` : '–'}</dd>
-        <dt>{text.lqr.damping}</dt>
+        <dt>{words.damping}</dt>
         <dd>{leastDamped ? formatShort(leastDamped.damping ?? 1, 3) : '–'}</dd>
-        <dt>{text.lqr.reached}</dt>
-        <dd>{text.lqr.of(reachability.dimension, now.value.eigenvalues.length)}</dd>
-        <dt>{text.lqr.residual}</dt>
+        <dt>{words.reached}</dt>
+        <dd>{words.of(reachability.dimension, now.value.eigenvalues.length)}</dd>
+        <dt>{words.residual}</dt>
         <dd>{formatScientific(careResidual ?? NaN)}</dd>
       </dl>
       {untouched.length > 0 && (
-        <p class="hint">{text.lqr.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
+        <p class="hint">{words.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
       )}
     </div>
   );
@@ -83,7 +83,7 @@ function ComplexPlane({
       class="complex-plane"
       viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
       role="img"
-      aria-label={text.lqr.plane(
+      aria-label={words.plane(
         closed
           .map(([re, im]) => `${formatShort(re, 3)}${im === 0 ? '' : ` ± ${formatShort(Math.abs(im), 3)} i`}`)
           .join('; '),
@@ -103,7 +103,7 @@ function ComplexPlane({
         <circle key={`c${i}`} cx={x(re)} cy={y(im)} r="3.2" class="closed" />
       ))}
       <text x="4" y={HEIGHT - 5}>
-        {text.lqr.legend}
+        {words.legend}
       </text>
     </svg>
   );

@@ -4,7 +4,7 @@ import { edit, useUi } from '../../ui/context.ts';
 import { Check, Choice, Section } from '../../ui/kit/controls.tsx';
 import { withKey, withMethod } from '../../app/state/draft.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
 const methodDefaults = {
@@ -39,7 +39,7 @@ export function MethodSection() {
     );
   const spec = (key: 'rtol' | 'atol' | 'step' | 'maxStep', standard?: number): NumberSpec => ({
     path: `method.${key}`,
-    label: text.panel[key],
+    label: words[key],
     angle: false,
     numeric: true,
     positive: true,
@@ -53,9 +53,9 @@ export function MethodSection() {
     commit: (value) => set(key, value as number | undefined),
   });
   return (
-    <Section title={text.panel.method}>
+    <Section title={words.method}>
       <Choice
-        label={text.panel.method}
+        label={words.method}
         value={name}
         options={ui.methods}
         error={errors.get('method.name')}
@@ -63,9 +63,9 @@ export function MethodSection() {
         onChange={(id) => edit(ui, (draft) => named(draft, id))}
       />
       <Choice
-        label={text.panel.formulation}
+        label={words.formulation}
         value={method.formulation ?? (residual ? NONE : methodDefaults.formulation)}
-        options={residual ? [{ id: NONE, label: text.panel.residualAsItIs }] : ui.formulations}
+        options={residual ? [{ id: NONE, label: words.residualAsItIs }] : ui.formulations}
         disabled={residual && method.formulation === undefined}
         error={errors.get('method.formulation')}
         testId="method-formulation"
@@ -73,12 +73,12 @@ export function MethodSection() {
       />
       {adaptive && <NumberField symbol="rtol" spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />}
       {adaptive && <NumberField symbol="atol" spec={spec('atol', methodDefaults.atol)} testId="method-atol" />}
-      <NumberField symbol="h" spec={spec('step')} placeholder={text.panel.auto} testId="method-step" />
+      <NumberField symbol="h" spec={spec('step')} placeholder={words.auto} testId="method-step" />
       {adaptive && (
-        <NumberField symbol="h_max" spec={spec('maxStep')} placeholder={text.panel.auto} testId="method-maxStep" />
+        <NumberField symbol="h_max" spec={spec('maxStep')} placeholder={words.auto} testId="method-maxStep" />
       )}
       <Check
-        label={text.panel.projection}
+        label={words.projection}
         checked={method.projection ?? true}
         testId="method-projection"
         onChange={(on) => set('projection', on)}
@@ -94,7 +94,7 @@ export function TimeSection() {
   const origin = ui.origin.value?.scenario;
   const spec = (key: 'duration' | 'outputStep'): NumberSpec => ({
     path: key,
-    label: text.panel[key],
+    label: words[key],
     unit: 's',
     angle: false,
     numeric: true,
@@ -107,17 +107,17 @@ export function TimeSection() {
   });
   const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
   return (
-    <Section title={text.panel.time} open>
+    <Section title={words.time} open>
       <NumberField symbol="T" spec={spec('duration')} testId="duration" />
       <NumberField symbol="Δt" spec={spec('outputStep')} testId="output-step" />
       {system && system.contacts.length > 0 && constraints !== 'none' && (
         <Choice
-          label={text.panel.touchdown}
+          label={words.touchdown}
           value={draft.events?.['touchdown'] ?? 'stop'}
           testId="event-touchdown"
           options={[
-            { id: 'stop', label: text.panel.stop },
-            { id: 'ignore', label: text.panel.ignore },
+            { id: 'stop', label: words.stop },
+            { id: 'ignore', label: words.ignore },
           ]}
           error={ui.app.state.draftErrors.value.get('events.touchdown')}
           onChange={(id) => edit(ui, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))}

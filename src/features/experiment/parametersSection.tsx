@@ -3,7 +3,7 @@ import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
 import { parameterDefault, withEntry, withParameterSet } from '../../app/state/draft.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
@@ -15,10 +15,10 @@ export function ParametersSection() {
   const sets = Object.keys(meta.parameterSets);
   const groups = [...new Set(meta.parameters.map((p) => p.group))];
   return (
-    <Section title={text.panel.parameters}>
+    <Section title={words.parameters}>
       {sets.length > 1 && (
         <Choice
-          label={text.panel.parameterSet}
+          label={words.parameterSet}
           value={draft.parameterSet ?? sets[0]!}
           options={sets.map((id) => ({ id, label: id }))}
           testId="parameter-set"

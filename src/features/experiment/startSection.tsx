@@ -8,7 +8,8 @@ import { withEntry } from '../../app/state/draft.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
 import { FieldError, NumberBox, NumberField } from '../../ui/kit/numberField.tsx';
 import { Chip, MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words as kit } from '../../ui/kit/words.ts';
+import { words } from './words.ts';
 import { useNumberField } from '../../ui/kit/useNumberField.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
@@ -23,11 +24,11 @@ export function StartSection() {
     motion?.source === 'run' && motion.system === system ? motion.adjustments.map((a) => [a.name, a]) : [],
   );
   return (
-    <Section title={text.panel.start} open>
+    <Section title={words.start} open>
       {system.meta.speed && <SpeedField key={system.meta.id} speed={system.meta.speed} />}
       <div class="start-head" aria-hidden="true">
-        <span>{text.panel.value}</span>
-        <span>{text.panel.rate}</span>
+        <span>{words.value}</span>
+        <span>{words.rate}</span>
       </div>
       {system.meta.coordinates.map((c) => (
         <StartRow
@@ -38,7 +39,7 @@ export function StartSection() {
           rated={system.meta.order !== 1}
         />
       ))}
-      <p class="hint">{text.panel.startHint}</p>
+      <p class="hint">{words.startHint}</p>
     </Section>
   );
 }
@@ -85,7 +86,7 @@ function StartRow({
   const rateField = useNumberField(rateSpec);
   return (
     <div class="start-row">
-      <span class="handle" title={text.panel.scrub} {...valueField.scrub}>
+      <span class="handle" title={kit.scrub} {...valueField.scrub}>
         <Chip part={coordinate.part} />
         <span class="name">
           <MathSymbol of={coordinate.symbol} /> {coordinate.label}
@@ -106,7 +107,7 @@ function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
   const name = order === 0 ? coordinate.name : `${coordinate.name}_dot`;
   return {
     path: `initial.${name}`,
-    label: order === 0 ? coordinate.label : `${coordinate.label}, ${text.panel.rate}`,
+    label: order === 0 ? coordinate.label : `${coordinate.label}, ${words.rate}`,
     unit: units[coordinate.kind][order],
     angle: coordinate.kind === 'angle',
     optional: true,
@@ -129,7 +130,7 @@ function Solved({
   rate?: boolean;
 }) {
   if (!adjustment || adjustment.from === adjustment.to) return null;
-  const why = adjustment.named ? text.panel.moved : text.panel.solved;
+  const why = adjustment.named ? words.moved : words.solved;
   return (
     <span class={`solved${rate ? ' rate' : ''}`} data-testid={`solved-${adjustment.name}`}>
       → {formatQuantity(adjustment.to, unit)} ({why})

@@ -2,7 +2,7 @@ import { edit, replaceDraft, useUi } from '../../ui/context.ts';
 import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';
 import { MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 
 export function SystemSection() {
   const ui = useUi();
@@ -12,7 +12,7 @@ export function SystemSection() {
   const systems = ui.app.systems.map(({ id, title }) => ({ id, label: title }));
   const choice = (
     <Choice
-      label={text.panel.system}
+      label={words.system}
       value={draft.system}
       options={systems}
       error={errors.get('system')}
@@ -22,7 +22,7 @@ export function SystemSection() {
   );
   if (!system)
     return (
-      <Section title={text.panel.system} open>
+      <Section title={words.system} open>
         {choice}
       </Section>
     );
@@ -34,11 +34,11 @@ export function SystemSection() {
     edit(ui, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
   };
   return (
-    <Section title={text.panel.system} open>
+    <Section title={words.system} open>
       {choice}
       {sets.length > 1 && (
         <Choice
-          label={text.panel.constraints}
+          label={words.constraints}
           value={draft.constraints ?? sets[0]!.id}
           options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))}
           error={errors.get('constraints')}
@@ -50,9 +50,9 @@ export function SystemSection() {
         <p class="hint sentence">{chosen.label.split(': ').slice(1).join(': ')}</p>
       )}
       {system.meta.order !== 1 && (
-        <div class="hold" role="group" aria-label={text.panel.hold}>
-          <span class="hold-label" title={text.panel.holdHint}>
-            {text.panel.hold}
+        <div class="hold" role="group" aria-label={words.hold}>
+          <span class="hold-label" title={words.holdHint}>
+            {words.hold}
           </span>
           <span class="hold-keys">
             {system.meta.coordinates.map((c) => (

@@ -1,12 +1,13 @@
 /** Everything that can leave the page: pictures, videos, 3-D files, tables, scenarios. */
+import './export.css';
 import { useUi } from '../../ui/context.ts';
 import { Choice, Toggle } from '../../ui/kit/controls.tsx';
-import { Dialog } from '../../ui/kit/dialogs.tsx';
+import { Dialog } from '../../ui/kit/dialog.tsx';
 import { later } from '../../ui/kit/later.tsx';
 import type { Studio } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/types.ts';
 import { MOST_KEYS, sizeInWords } from '../../app/files/exportPlan.ts';
-import { exportText as text } from './words.ts';
+import { words as text } from './words.ts';
 import { RangeFields } from './fields.tsx';
 import { choices, job, keysOf, rangeOf, saveGlb, type Tab } from './jobs.ts';
 import { PicturePage, SaveButton } from './picturePage.tsx';

@@ -3,7 +3,7 @@ import { useId, useState } from 'preact/hooks';
 import { LARGEST, sideOf, SMALLEST } from '../../app/files/exportPlan.ts';
 import type { ShotPlan } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/types.ts';
-import { exportText as text } from './words.ts';
+import { words as text } from './words.ts';
 import { Choice } from '../../ui/kit/controls.tsx';
 import { choices, rangeOf } from './jobs.ts';
 

@@ -5,7 +5,7 @@ import { bitrateFor, fileName, frameCount, frameTime, keyCount, type VideoRange 
 import type { ShotPlan, Studio } from '../../app/files/exportRenderer.ts';
 import type { App, Motion } from '../../app/types.ts';
 import type { Encoding } from './video.ts';
-import { exportText as text } from './words.ts';
+import { words as text } from './words.ts';
 import { text as page } from '../../ui/words.ts';
 
 export type Tab = keyof typeof text.tabs;

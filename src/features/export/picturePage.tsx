@@ -1,7 +1,7 @@
 import { sizeInWords } from '../../app/files/exportPlan.ts';
 import type { Studio } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/types.ts';
-import { exportText as text } from './words.ts';
+import { words as text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
 import { SizeFields, ViewField } from './fields.tsx';

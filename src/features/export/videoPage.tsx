@@ -3,7 +3,7 @@ import { bitrateFor, frameCount, MOST_FRAMES, sizeInWords, videoDuration } from 
 import type { Studio } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/types.ts';
 import { chooseEncoding, type Encoding } from './video.ts';
-import { exportText as text } from './words.ts';
+import { words as text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
 import { formatSpeed } from '../../ui/kit/format.ts';

@@ -1,6 +1,7 @@
 /** Words of the gallery. */
 export const text = {
   title: 'Cases',
+  edited: 'edited',
   search: 'Search cases',
   placeholder: 'system, figure, word …',
   none: (word: string) => `No case speaks of “${word}”.`,

@@ -1,3 +1,4 @@
+import './methods.css';
 import { useUi } from '../../ui/context.ts';
 import { Methods } from './methodsView.tsx';
 import { plotComparison, saveOutcomes, savePicture } from './methodCurves.ts';

@@ -10,6 +10,7 @@ import { Check } from '../../ui/kit/controls.tsx';
 import { CURVES } from '../../app/runs/curveStyles.ts';
 import { formatCount, formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 
 export interface MethodsProps {
   comparison: Comparison;
@@ -35,7 +36,7 @@ export function Methods(props: MethodsProps) {
     <div class="scroll methods-tool">
       <p>
         <label>
-          {text.methods.set}{' '}
+          {words.set}{' '}
           <select data-testid="methods-set" value={chosen.value.id} onChange={(e) => choose(e.currentTarget.value)}>
             {methodSets.map((s) => (
               <option key={s.id} value={s.id}>
@@ -85,16 +86,12 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
   };
   return (
     <div class="methods">
-      <p>
-        {set.scenario
-          ? text.methods.aboutSet(set.label)
-          : text.methods.about(ui.origin.value?.title ?? text.top.ownScenario)}
-      </p>
+      <p>{set.scenario ? words.aboutSet(set.label) : words.about(ui.origin.value?.title ?? text.ownScenario)}</p>
       <div class="methods-table">
         <table data-testid="methods-table">
           <thead>
             <tr>
-              {text.methods.columns.map((c) => (
+              {words.columns.map((c) => (
                 <th key={c} scope="col">
                   {c}
                 </th>
@@ -129,13 +126,13 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           disabled={busy.value || chosen.value.size === 0}
           onClick={start}
         >
-          {text.methods.run}
+          {words.run}
         </button>
         <button type="button" data-testid="methods-cancel" disabled={!busy.value} onClick={() => comparison.stop()}>
           {text.panel.cancel}
         </button>
         <label>
-          {text.methods.curve}{' '}
+          {words.curve}{' '}
           <select
             data-testid="methods-column"
             value={column.value}
@@ -151,7 +148,7 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           </select>
         </label>
         <Check
-          label={text.methods.projection}
+          label={words.projection}
           checked={projection.value}
           testId="methods-projection"
           onChange={(on) => {
@@ -165,7 +162,7 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           disabled={comparison.outcomes.value.length === 0}
           onClick={() => saveTable(comparison.outcomes.value)}
         >
-          {text.methods.csv}
+          {words.csv}
         </button>
         <button
           type="button"
@@ -173,7 +170,7 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           disabled={comparison.outcomes.value.length === 0}
           onClick={() => savePicture(figure.current!)}
         >
-          {text.methods.png}
+          {words.png}
         </button>
       </div>
       <div ref={figure}>
@@ -255,7 +252,7 @@ function Row({
       <td class="why" title={outcome?.message}>
         {outcome ? standing(outcome) : ''}
       </td>
-      <td class="report">{choice.report ? text.methods.report(choice.report.seconds, choice.report.reached) : ''}</td>
+      <td class="report">{choice.report ? words.report(choice.report.seconds, choice.report.reached) : ''}</td>
     </tr>
   );
 }
@@ -265,13 +262,11 @@ const short = (x: number): string => (x < 1e-3 ? x.toExponential().replace('.0e'
 
 function standing(outcome: Outcome): string {
   if (outcome.state === 'ended') return text.status.reasons[outcome.reason] ?? outcome.reason;
-  return outcome.state === 'refused' ? outcome.message : text.methods.states[outcome.state];
+  return outcome.state === 'refused' ? outcome.message : words.states[outcome.state];
 }
 
 function Curves({ comparison, column, plot }: { comparison: Comparison; column: string; plot: MethodsProps['plot'] }) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => plot(host.current!, comparison, column, (i) => CURVES[i % CURVES.length]!), [column]);
-  return (
-    <div ref={host} class="methods-plot" data-testid="methods-plot" role="img" aria-label={text.methods.plot(column)} />
-  );
+  return <div ref={host} class="methods-plot" data-testid="methods-plot" role="img" aria-label={words.plot(column)} />;
 }

@@ -1,29 +1,20 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
-import { signal } from '@preact/signals';
-import { useEffect, useState } from 'preact/hooks';
 import type { Motion } from '../../app/types.ts';
 import type { CoordinateMeta } from '../../core/model/system.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { useUi } from '../../ui/context.ts';
-import { FilePanel } from '../../ui/shell/filePanel.tsx';
+import { Slot } from '../../ui/slot.tsx';
+import { sample, useSlowTime } from '../../ui/slowTime.ts';
 import { formatFixed, formatTime, formatValue, THIN } from '../../ui/kit/format.ts';
 import { Chip, MathSymbol } from '../../ui/kit/symbol.tsx';
-import { text } from '../../ui/words.ts';
+import { words } from './words.ts';
 
-const INTERVAL = 1000 / 15;
-
-/** With what is to be said about a file, where the motion is one. */
+/** With what the features have to say of what is on the stage. */
 export function NowTool() {
-  const isFile = useUi().app.state.motion.value?.source === 'file';
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label={text.panel.now}>
+    <div class="scroll" tabIndex={0} role="region" aria-label={words.title}>
       <NowPanel />
-      {isFile && (
-        <section class="file-section" aria-label={text.panel.file}>
-          <h3>{text.panel.file}</h3>
-          <FilePanel />
-        </section>
-      )}
+      <Slot name="notes" />
     </div>
   );
 }
@@ -32,7 +23,7 @@ export function NowPanel() {
   const { state } = useUi().app;
   const time = useSlowTime();
   const motion = state.motion.value;
-  if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{text.now.empty}</p>;
+  if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{words.empty}</p>;
   const multipliers = motion.trajectory.columns.filter((name) => name.startsWith('lambda_'));
   return (
     <div class="now">
@@ -44,13 +35,13 @@ export function NowPanel() {
         <thead>
           <tr>
             <th scope="col">
-              <span class="hidden">{text.panel.now}</span>
+              <span class="hidden">{words.title}</span>
             </th>
             <th scope="col" colSpan={2}>
-              {text.now.value}
+              {words.value}
             </th>
             <th scope="col" colSpan={2}>
-              {text.now.rate}
+              {words.rate}
             </th>
           </tr>
         </thead>
@@ -96,12 +87,12 @@ function Row({
 function Multipliers({ motion, names, time }: { motion: Motion; names: readonly string[]; time: number }) {
   const roles = new Map<number, { part: 'front' | 'back'; label: string }>();
   for (const { part, lateral, vertical } of motion.system.contacts) {
-    roles.set(lateral, { part, label: `${text.now.part[part]} ${text.now.lateral}` });
-    roles.set(vertical, { part, label: `${text.now.part[part]} ${text.now.vertical}` });
+    roles.set(lateral, { part, label: `${words.part[part]} ${words.lateral}` });
+    roles.set(vertical, { part, label: `${words.part[part]} ${words.vertical}` });
   }
   return (
     <table data-testid="now-multipliers">
-      <caption>{text.now.multipliers}</caption>
+      <caption>{words.multipliers}</caption>
       <tbody>
         {names.map((name, i) => {
           const role = roles.get(i);
@@ -122,39 +113,4 @@ function Multipliers({ motion, names, time }: { motion: Motion; names: readonly 
       </tbody>
     </table>
   );
-}
-
-/** Linear between rows: enough for a read-out. */
-export function sample(trajectory: Trajectory, name: string, time: number): number | null {
-  const values = trajectory.column(name);
-  const t = trajectory.column('t');
-  if (!values || !t || values.length === 0) return null;
-  const i = trajectory.locate(time);
-  const next = Math.min(i + 1, values.length - 1);
-  const span = t[next]! - t[i]!;
-  const part = span > 0 ? Math.min(1, Math.max(0, (time - t[i]!) / span)) : 0;
-  return values[i]! + part * (values[next]! - values[i]!);
-}
-
-/** The playback time, but not on every frame; the last change always arrives. */
-export function useSlowTime(interval = INTERVAL): number {
-  const { state } = useUi().app;
-  const [slow] = useState(() => signal(state.time.peek()));
-  useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    let last = 0;
-    const show = () => {
-      timer = undefined;
-      last = performance.now();
-      slow.value = state.time.peek();
-    };
-    const stop = state.time.subscribe(() => {
-      timer ??= setTimeout(show, Math.max(0, interval - (performance.now() - last)));
-    });
-    return () => {
-      stop();
-      clearTimeout(timer);
-    };
-  }, []);
-  return slow.value;
 }

@@ -8,7 +8,7 @@ import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort, formatTime } from '../../ui/kit/format.ts';
 import { Menu } from '../../ui/kit/menu.tsx';
-import { useSlowTime } from '../now/nowPanel.tsx';
+import { useSlowTime } from '../../ui/slowTime.ts';
 import type { ColumnInfo, Values } from './columns.ts';
 import { at, curvesOf, DEGREE, energySpent, limits, unitOf } from './drawing.ts';
 import { attachPointers, onPaneKey } from './pointers.ts';

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { shareText as text } from '../../app/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
-import { Dialog } from '../../ui/kit/dialogs.tsx';
+import { Dialog } from '../../ui/kit/dialog.tsx';
 
 const load = () => import('../../app/persistence/links.ts');
 /** What fails here is told when it is pressed. */

@@ -1,12 +1,15 @@
 /** The first minute of a first visit: loaded when there is something to offer, never again after it was taken or put away. */
-import { useComputed, useSignal, type Signal } from '@preact/signals';
+import { signal, useComputed, useSignal } from '@preact/signals';
 import type { ComponentType, ComponentProps } from 'preact';
 import { useEffect } from 'preact/hooks';
 import { browserShelf } from '../../app/persistence/browserStorage.ts';
 import { useUi } from '../../ui/context.ts';
 import type { WelcomeView } from './offer.tsx';
+import { text } from './words.ts';
 
 const SEEN = 'tour';
+/** Whether the tour is on: the sheet of keys starts it, too. */
+const touring = signal(false);
 
 /** Who comes by a link or with a file came for that. */
 const firstVisit = (): boolean =>
@@ -15,7 +18,7 @@ const firstVisit = (): boolean =>
   browserShelf.text(SEEN) === null &&
   browserShelf.text('work') === null;
 
-export function Welcome({ touring }: { touring: Signal<boolean> }) {
+export function Welcome() {
   const { state } = useUi().app;
   const offered = useSignal(firstVisit());
   const wanted = useComputed(() => touring.value || (offered.value && state.motion.value !== null)).value;
@@ -44,4 +47,20 @@ export function Welcome({ touring }: { touring: Signal<boolean> }) {
       onEnd={end}
     />
   ) : null;
+}
+
+/** Under the sheet of keys. */
+export function TakeTour({ close }: { close(): void }) {
+  return (
+    <button
+      type="button"
+      data-testid="take-tour"
+      onClick={() => {
+        close();
+        touring.value = true;
+      }}
+    >
+      {text.ofThePage}
+    </button>
+  );
 }

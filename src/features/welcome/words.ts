@@ -6,6 +6,7 @@ export const text = {
   take: 'Tour of five steps',
   dismiss: 'Not now',
   tour: 'Tour',
+  ofThePage: 'Tour of the page',
   of: (step: number, steps: number) => `Step ${step} of ${steps}`,
   back: 'Back',
   next: 'Next',

@@ -7,7 +7,7 @@ import { setRejected, useUi } from '../context.ts';
 import { plainText } from './format.ts';
 import { FieldError } from './numberField.tsx';
 import { MathSymbol } from './symbol.tsx';
-import { text } from '../words.ts';
+import { words } from './words.ts';
 
 function problemOf(expression: string): string | null {
   try {
@@ -76,8 +76,8 @@ export function ExpressionField({
           <button
             type="button"
             class="dot"
-            title={text.panel.differs(label)}
-            aria-label={text.panel.differs(label)}
+            title={words.differs(label)}
+            aria-label={words.differs(label)}
             onClick={() => {
               settle(null, null);
               commit(base);

@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { text } from '../words.ts';
+import { words } from './words.ts';
 
 /** A component whose code is loaded when it is first shown, so that the first view need not wait for it. */
 export function later<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {
@@ -22,7 +22,7 @@ export function later<Props extends object>(load: () => Promise<ComponentType<Pr
       <View {...props} />
     ) : (
       <p class="hint pad" role={failed ? 'alert' : 'status'}>
-        {failed ? text.later.failed : text.later.loading}
+        {failed ? words.failed : words.loading}
       </p>
     );
   };

@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks';
 import { formatQuantity, formatShort, isExpression, toShown } from './format.ts';
 import { MathSymbol } from './symbol.tsx';
-import { text } from '../words.ts';
+import { words } from './words.ts';
 import { numberOf, useNumberField } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
 
@@ -27,8 +27,8 @@ export function NumberBox({
         <button
           type="button"
           class="dot"
-          title={text.panel.differs(spec.label)}
-          aria-label={text.panel.differs(spec.label)}
+          title={words.differs(spec.label)}
+          aria-label={words.differs(spec.label)}
           onClick={field.reset}
         />
       )}
@@ -48,7 +48,7 @@ export function NumberBox({
       {spec.unit && (
         <span
           class="unit"
-          title={expression ? `= ${formatQuantity(numberOf(spec.value, NaN), spec.unit)}` : text.panel.scrub}
+          title={expression ? `= ${formatQuantity(numberOf(spec.value, NaN), spec.unit)}` : words.scrub}
           {...field.scrub}
         >
           {expression ? spec.unit.replace('°', 'rad') : spec.unit}
@@ -88,7 +88,7 @@ export function NumberField({
   return (
     <div class="field">
       {symbol !== undefined && (
-        <span class="handle" title={text.panel.scrub} {...field.scrub}>
+        <span class="handle" title={words.scrub} {...field.scrub}>
           <MathSymbol of={symbol} rate={rate} />
         </span>
       )}

@@ -2,21 +2,21 @@
 import { useEffect } from 'preact/hooks';
 import type { Signal } from '@preact/signals';
 import { speeds } from '../../app/state/playbackClock.ts';
-import { canPush } from '../../app/push/pointerPush.ts';
 import type { App } from '../../app/types.ts';
+import type { Ui } from '../context.ts';
 import { viewsOf } from '../stage/stageOverlay.tsx';
 import { timelineOf } from '../stage/timeline.ts';
 
 const JUMP = 0.1;
 
-export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
+export function useKeyboard(ui: Ui, keysOpen: Signal<boolean>): void {
   useEffect(() => {
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
       if (event.key === 'Enter' && (event.ctrlKey || event.metaKey || runsOnEnter(event.target))) {
         // after the field has taken the key and what it led to has been drawn
         setTimeout(() => {
-          if (!refused(event.target)) app.actions.run();
+          if (!refused(event.target)) ui.app.actions.run();
         });
         return;
       }
@@ -28,20 +28,19 @@ export function useKeyboard(app: App, keysOpen: Signal<boolean>): void {
         (event.key === ' ' && pressing(event.target))
       )
         return;
-      if (act(app, event.key, event.shiftKey, keysOpen)) event.preventDefault();
+      if (act(ui, event.key, event.shiftKey, keysOpen)) event.preventDefault();
     };
     window.addEventListener('keydown', onKeyDown);
     return () => window.removeEventListener('keydown', onKeyDown);
   }, []);
 }
 
-/** Enter in a field of the experiment runs it; a regulator's fields act on the running motion instead. */
+/** Enter in a field runs the experiment where its part of the page says so; elsewhere a field only takes its value. */
 function runsOnEnter(target: EventTarget | null): boolean {
   return (
     target instanceof HTMLInputElement &&
     target.type === 'text' &&
-    target.closest('.experiment') !== null &&
-    target.closest('.lqr') === null
+    target.closest<HTMLElement>('[data-enter]')?.dataset['enter'] === 'run'
   );
 }
 
@@ -64,7 +63,7 @@ function pressing(target: EventTarget | null): boolean {
 }
 
 /** Returns whether the key meant something. */
-export function act(app: App, key: string, shift: boolean, keysOpen: Signal<boolean>): boolean {
+export function act({ app, features }: Ui, key: string, shift: boolean, keysOpen: Signal<boolean>): boolean {
   const { state, actions } = app;
   const line = timelineOf(state.motion.peek(), state.run.peek());
   const seek = (time: number) => actions.seek(Math.min(line.available, Math.max(line.start, time)));
@@ -80,15 +79,11 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     j: () => slowerOrFaster(app, -1),
     k: actions.pause,
     l: () => slowerOrFaster(app, 1),
-    b: () => void app.kept.keep(),
     f: () => {
       state.follow.value = !state.follow.peek();
     },
     p: () => {
       state.look.inset.value = !state.look.inset.peek();
-    },
-    g: () => {
-      if (canPush(state.motion.peek())) state.look.push.value = !state.look.push.peek();
     },
     n: () => {
       state.look.names.value = !state.look.names.peek();
@@ -101,8 +96,11 @@ export function act(app: App, key: string, shift: boolean, keysOpen: Signal<bool
     },
   };
   const view = viewsOf((state.motion.peek()?.system ?? app.systemOf(state.draft.peek().system))?.meta.views).get(key);
+  const name = key.length === 1 ? key.toLowerCase() : key;
+  const command = features.flatMap(({ commands }) => commands ?? []).find((one) => one.key === name);
   const run =
-    does[key.length === 1 ? key.toLowerCase() : key] ??
+    does[name] ??
+    (command && (() => command.run(app))) ??
     (view &&
       (() => {
         state.view.value = view;

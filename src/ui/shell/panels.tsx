@@ -1,17 +1,20 @@
-/** Where the panels stand: the experiment at the left, the open tool and the rail of tools at the right; on a phone all in a sheet with tabs. */
+/** Where the panels stand: what is run at the left, the open tool and the rail of tools at the right; on a phone all in a sheet with tabs. */
 import { useSignal, useSignalEffect } from '@preact/signals';
 import type { ComponentType } from 'preact';
 import { useRef, useState } from 'preact/hooks';
 import { text } from '../words.ts';
 import { useUi } from '../context.ts';
 import { Icon } from '../kit/controls.tsx';
-import { Experiment } from '../../features/experiment/experiment.tsx';
-import { FilePanel } from './filePanel.tsx';
-import type { Tool } from '../tool.ts';
+import type { Ui } from '../context.ts';
+
+/** The one that stands at the left. */
+const usePanel = () => useUi().features.flatMap(({ id, panel }) => (panel ? [{ id, ...panel }] : []))[0];
 
 export function LeftPanel() {
   const [open, setOpen] = useState(true);
-  const title = text.panel.experiment;
+  const panel = usePanel();
+  if (!panel) return null;
+  const { title, Body } = panel;
   const label = open ? text.panel.fold(title) : text.panel.unfold(title);
   return (
     <aside class={`panel left${open ? '' : ' folded'}`} aria-label={title}>
@@ -36,14 +39,14 @@ export function LeftPanel() {
       </div>
       {/* hidden, not gone: text that stands in a field survives folding */}
       <div class="panel-body" hidden={!open}>
-        <Experiment />
+        <Body />
       </div>
     </aside>
   );
 }
 
 /** Those that are shown, and those that keep what they were doing. */
-function useVisited(tools: readonly Tool[], open: string | null): readonly Tool[] {
+function useVisited(tools: Ui['tools'], open: string | null): Ui['tools'] {
   const visited = useRef(new Set<string>());
   if (open !== null) visited.current.add(open);
   return tools.filter(({ id, keep }) => id === open || (keep && visited.current.has(id)));
@@ -112,26 +115,23 @@ export function Tools() {
   );
 }
 
-const FIRST = 'experiment';
-
 export function Sheet() {
-  const {
-    app: { state },
-    tools,
-  } = useUi();
-  const current = useSignal(FIRST);
+  const { app, features, tools } = useUi();
+  const { state } = app;
+  const panel = usePanel();
+  const current = useSignal(panel?.id ?? tools[0]?.id ?? '');
   const visited = useVisited(tools, current.value);
-  // what asks for a tool asks for its tab; an opened file is what one wants to read about
+  // what asks for a tool asks for its tab
   useSignalEffect(() => {
     if (state.tool.value !== null) current.value = state.tool.value;
   });
   useSignalEffect(() => {
-    if (state.motion.value?.source === 'file') current.value = 'file';
+    for (const { id, tab } of features) if (tab?.wanted?.(app)) current.value = id;
   });
   const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
-    { id: FIRST, title: text.panel.experiment, Body: Experiment, there: true },
+    ...(panel ? [{ ...panel, there: true }] : []),
     ...tools.map((tool) => ({ ...tool, there: visited.includes(tool) })),
-    { id: 'file', title: text.panel.file, Body: FilePanel, there: true },
+    ...features.flatMap(({ id, tab }) => (tab ? [{ id, title: tab.title, Body: tab.Body, there: true }] : [])),
   ];
   const show = (id: string) => {
     current.value = id;
@@ -155,6 +155,7 @@ export function Sheet() {
             type="button"
             role="tab"
             id={`tab-${id}`}
+            class={id === panel?.id ? 'first' : undefined}
             aria-selected={current.value === id}
             aria-controls={`sheet-${id}`}
             tabIndex={current.value === id ? 0 : -1}
@@ -169,7 +170,7 @@ export function Sheet() {
         <div
           key={id}
           id={`sheet-${id}`}
-          class="tab-body"
+          class={id === panel?.id ? 'tab-body first' : 'tab-body'}
           role="tabpanel"
           aria-labelledby={`tab-${id}`}
           hidden={current.value !== id}

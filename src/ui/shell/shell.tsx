@@ -6,9 +6,9 @@ import type { App, CaseInfo } from '../../app/types.ts';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from '../context.ts';
 import type { FormulationChoice, MethodChoice } from '../context.ts';
-import { ExportDoor } from '../../features/export/exportDoor.tsx';
-import { KeysDialog, StepDialog } from '../kit/dialogs.tsx';
-import { DropOverlay } from './dropOverlay.tsx';
+import type { Feature } from '../feature.ts';
+import { KeysDialog } from './keysDialog.tsx';
+import { Slot } from '../slot.tsx';
 import { useKeyboard } from './keyboard.ts';
 import { useMedia } from '../kit/media.ts';
 import { Messages } from './messages.tsx';
@@ -17,11 +17,8 @@ import { SkipLinks } from './skipLinks.tsx';
 import { StageOverlay } from '../stage/stageOverlay.tsx';
 import { StatusLine } from './statusLine.tsx';
 import { text } from '../words.ts';
-import type { Tool } from '../tool.ts';
 import { TopBar } from './topBar.tsx';
 import { Transport } from '../stage/transport.tsx';
-import { Welcome } from '../../features/welcome/welcome.tsx';
-import '../style.css';
 
 export interface ShellProps {
   app: App;
@@ -35,7 +32,7 @@ export interface ShellProps {
   sceneError: ReadonlySignal<string | null>;
   /** The case the draft came from; without it, the last case whose scenario the draft was. */
   origin?: ReadonlySignal<CaseInfo | null>;
-  tools: readonly Tool[];
+  features: readonly Feature[];
   /** Takes away what this browser stores for the page. */
   onForget?: () => void;
 }
@@ -51,15 +48,14 @@ export function Shell({
   sceneText,
   sceneError,
   origin,
-  tools,
+  features,
   onForget,
 }: ShellProps) {
-  const ui = useMemo(() => createUi(app, methods, formulations, tools, origin), [app]);
+  const ui = useMemo(() => createUi(app, methods, formulations, features, origin), [app]);
   const keysOpen = useSignal(false);
-  const touring = useSignal(false);
   const phone = useMedia(PHONE);
   useTheme(app);
-  useKeyboard(app, keysOpen);
+  useKeyboard(ui, keysOpen);
   return (
     <UiContext.Provider value={ui}>
       <SkipLinks />
@@ -70,23 +66,15 @@ export function Shell({
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
         </main>
-        <Welcome touring={touring} />
+        <Slot name="card" />
         {phone ? null : <Tools />}
         <Transport />
         {phone ? <Sheet /> : null}
         <StatusLine />
       </div>
       <Messages />
-      <StepDialog />
-      <ExportDoor />
-      <KeysDialog
-        open={keysOpen}
-        onTour={() => {
-          touring.value = true;
-        }}
-        onForget={onForget}
-      />
-      <DropOverlay />
+      <Slot name="dialog" />
+      <KeysDialog open={keysOpen} onForget={onForget} />
       <Announcer />
     </UiContext.Provider>
   );

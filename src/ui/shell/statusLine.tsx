@@ -4,6 +4,7 @@ import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';
 import { formatCount, formatScientific } from '../kit/format.ts';
+import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
 /** Ends that nothing went wrong in; only the others are red. */
@@ -99,7 +100,7 @@ function FileFacts() {
 }
 
 function RunStanding() {
-  const { state, actions, kept } = useUi().app;
+  const { state, actions } = useUi().app;
   const reading = state.reading.value;
   if (reading) {
     return (
@@ -148,13 +149,7 @@ function RunStanding() {
         >
           {text.status.ended(text.status.reasons[run.reason] ?? run.reason)}
         </span>
-        {kept.ofStage() ? (
-          <span>{text.compare.kept}</span>
-        ) : (
-          <button type="button" class="link" data-testid="status-keep" onClick={() => kept.keep()}>
-            {text.compare.keep}
-          </button>
-        )}
+        <Slot name="runStatus" />
       </>
     );
   }

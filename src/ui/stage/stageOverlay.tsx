@@ -1,17 +1,13 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
 import type { ViewName } from '../../app/types.ts';
-import { canPush } from '../../app/push/pointerPush.ts';
 import { useUi } from '../context.ts';
 import { Toggle } from '../kit/controls.tsx';
-import { later } from '../kit/later.tsx';
-import { ModeActions } from './modeActions.tsx';
+import { Slot } from '../slot.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { text } from '../words.ts';
-
-const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
 
 /** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
 export const viewsOf = (offers: SystemMeta['views']): ReadonlyMap<string, ViewName> =>
@@ -41,7 +37,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       <div class="caption">
         <p class="caption-title">{fileTitle ?? origin?.title ?? ''}</p>
         {!fileTitle && origin && <p>{origin.summary}</p>}
-        {motion?.source === 'mode' && <ModeActions />}
+        <Slot name="caption" />
         {motion === null && state.run.value === null && <p>{text.hint}</p>}
       </div>
       {sceneError.value !== null && (
@@ -55,7 +51,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
         {forced && state.showForces.value && <ForceLegend />}
       </div>
       <div class="views">
-        {state.look.push.value && canPush(motion) && <PushPad />}
+        <Slot name="stagePad" />
         <div class="segments" role="group" aria-label={text.view.label}>
           {[...viewsOf(system?.meta.views)].map(([key, view]) => (
             <Toggle
@@ -105,18 +101,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
                 {text.view.forces}
               </Toggle>
             )}
-            {canPush(motion) && (
-              <Toggle
-                pressed={state.look.push.value}
-                title={`${text.look.pushTitle} (G)`}
-                testId="toggle-push"
-                onClick={() => {
-                  state.look.push.value = !state.look.push.value;
-                }}
-              >
-                {text.look.push}
-              </Toggle>
-            )}
+            <Slot name="stageSwitch" />
           </div>
           <ViewMenu closeUp={closeUp} ridden={system?.meta.views?.ridden ?? false} forced={forced} />
         </div>

@@ -1,14 +1,12 @@
 /** While a mode is on the stage: with or without its growth, and the way back. */
-import { Toggle } from '../kit/controls.tsx';
-import { useUi } from '../context.ts';
-import { text } from '../words.ts';
-
-const words = text.look;
+import { Toggle } from '../../ui/kit/controls.tsx';
+import { useUi } from '../../ui/context.ts';
+import { modeWords as words } from './words.ts';
 
 export function ModeActions() {
   const { state, actions } = useUi().app;
   const aside = state.aside.value;
-  if (!aside) return null;
+  if (!aside || state.motion.value?.source !== 'mode') return null;
   const [re, im] = aside.mode.mode.eigenvalue;
   const choose = (growth: boolean) => actions.showMode(aside.mode, growth);
   return (

@@ -3,10 +3,10 @@ import { useEffect, useId, useMemo, useRef, useState } from 'preact/hooks';
 import { createKeyHand, type Force, type Hold } from '../../app/push/keyboardPush.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import './pushPad.css';
-import { pushText as text } from './pushWords.ts';
-import { useUi } from '../context.ts';
-import { Icon, type IconName } from '../kit/controls.tsx';
-import { formatShort } from '../kit/format.ts';
+import { words as text } from './words.ts';
+import { useUi } from '../../ui/context.ts';
+import { Icon, type IconName } from '../../ui/kit/controls.tsx';
+import { formatShort } from '../../ui/kit/format.ts';
 
 type Way = keyof typeof text.ways;
 

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { replaceDraft, useUi } from '../context.ts';
-import { text } from '../words.ts';
+import { replaceDraft, useUi } from '../../ui/context.ts';
+import { words } from './words.ts';
 
 /** Files may be dropped anywhere on the page. */
 export function DropOverlay() {
@@ -46,7 +46,7 @@ export function DropOverlay() {
   }, []);
   return over.value ? (
     <div class="drop" data-testid="drop">
-      <p>{text.file.drop}</p>
+      <p>{words.drop}</p>
     </div>
   ) : null;
 }

@@ -1,0 +1,15 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { ModeActions } from './modeActions.tsx';
+import { words } from './words.ts';
+
+export const analysis: Feature = {
+  id: 'analysis',
+  tool: {
+    title: words.open,
+    icon: 'analysis',
+    size: 'wide',
+    Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool),
+  },
+  caption: ModeActions,
+};

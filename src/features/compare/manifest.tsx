@@ -1,0 +1,18 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { PinRun } from './pinRun.tsx';
+import { words } from './words.ts';
+
+export const compare: Feature = {
+  id: 'compare',
+  tool: {
+    title: words.open,
+    icon: 'compare',
+    size: 'wide',
+    keep: true,
+    Body: later(async () => (await import('./compareTool.tsx')).CompareTool),
+  },
+  runStatus: PinRun,
+  commands: [{ key: 'b', run: ({ kept }) => void kept.keep() }],
+  keys: words.keys,
+};

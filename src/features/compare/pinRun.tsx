@@ -1,0 +1,14 @@
+/** In the status line: pins the run that has ended, or says that it is pinned. */
+import { useUi } from '../../ui/context.ts';
+import { words } from './words.ts';
+
+export function PinRun() {
+  const { kept } = useUi().app;
+  return kept.ofStage() ? (
+    <span>{words.pinned}</span>
+  ) : (
+    <button type="button" class="link" data-testid="status-keep" onClick={() => kept.keep()}>
+      {words.keep}
+    </button>
+  );
+}

@@ -1,0 +1,13 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { equations as words } from './words.ts';
+
+export const equations: Feature = {
+  id: 'equations',
+  tool: {
+    title: words.open,
+    icon: 'equations',
+    size: 'wide',
+    Body: later(async () => (await import('./equationsTool.tsx')).EquationsTool),
+  },
+};

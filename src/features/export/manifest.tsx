@@ -1,0 +1,5 @@
+import type { Feature } from '../../ui/feature.ts';
+import { ExportDoor } from './exportDoor.tsx';
+import { ExportMenu } from './exportMenu.tsx';
+
+export const exporting: Feature = { id: 'export', topEnd: ExportMenu, dialog: ExportDoor };

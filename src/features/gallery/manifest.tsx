@@ -1,0 +1,5 @@
+import './caseMenu.css';
+import type { Feature } from '../../ui/feature.ts';
+import { CaseMenu } from './caseMenu.tsx';
+
+export const gallery: Feature = { id: 'gallery', topStart: CaseMenu };

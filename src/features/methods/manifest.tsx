@@ -1,0 +1,14 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { words } from './words.ts';
+
+export const methods: Feature = {
+  id: 'methods',
+  tool: {
+    title: words.open,
+    icon: 'methods',
+    size: 'widest',
+    keep: true,
+    Body: later(async () => (await import('./methodsTool.tsx')).MethodsTool),
+  },
+};

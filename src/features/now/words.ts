@@ -1,0 +1,11 @@
+/** Words of the read-out. */
+export const words = {
+  title: 'Now',
+  value: 'value',
+  rate: 'rate',
+  multipliers: 'Multipliers',
+  empty: 'Nothing to read yet. Run the experiment or open a file.',
+  part: { front: 'front', back: 'back' },
+  lateral: 'lateral',
+  vertical: 'vertical',
+} as const;

@@ -1,0 +1,19 @@
+import { canPush } from '../../app/push/pointerPush.ts';
+import type { Feature } from '../../ui/feature.ts';
+import { PushSlot, PushSwitch } from './pushSwitch.tsx';
+import { words } from './words.ts';
+
+export const push: Feature = {
+  id: 'push',
+  stagePad: PushSlot,
+  stageSwitch: PushSwitch,
+  commands: [
+    {
+      key: 'g',
+      run({ state }) {
+        if (canPush(state.motion.peek())) state.look.push.value = !state.look.push.peek();
+      },
+    },
+  ],
+  keys: words.keys,
+};

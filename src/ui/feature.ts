@@ -1,0 +1,62 @@
+/**
+ * What a feature gives the page. The shell knows these slots and no feature: a folder under `src/features` with its
+ * `manifest.tsx`, and one line in `src/features/registry.ts`, make one.
+ */
+import type { ComponentType } from 'preact';
+import type { App } from '../app/types.ts';
+import type { IconName } from './kit/controls.tsx';
+
+/** A place to work in beside the scene: one entry of the rail, one tab of the phone's sheet. */
+export interface Tool {
+  title: string;
+  icon: IconName;
+  /** How much room it takes beside the scene. */
+  size: 'narrow' | 'wide' | 'widest';
+  /** Stays as it is while another tool is shown; else it begins anew. */
+  keep?: boolean;
+  Body: ComponentType;
+}
+
+/** A key that means the same wherever no field, menu or dialog has the focus. */
+export interface KeyCommand {
+  /** As `KeyboardEvent.key` has it, letters in lower case. */
+  key: string;
+  run(app: App): void;
+}
+
+export interface Feature {
+  /** Permanent: the name of its folder, and of its tool in links and in what is stored. */
+  id: string;
+  /** The panel at the left, and the first tab of the phone's sheet. */
+  panel?: { title: string; Body: ComponentType };
+  tool?: Tool;
+  /** A tab of the phone's sheet alone; it is turned to as `wanted` becomes true. */
+  tab?: { title: string; Body: ComponentType; wanted?(app: App): boolean };
+  /** In the bar at the top, beside the page's name. */
+  topStart?: ComponentType;
+  /** In the bar at the top, among the buttons at its end. */
+  topEnd?: ComponentType;
+  /** Under the title of what is on the stage. */
+  caption?: ComponentType;
+  /** Over the buttons of the views. */
+  stagePad?: ComponentType;
+  /** Among the switches of the stage. */
+  stageSwitch?: ComponentType;
+  /** A card over the page, such as what a first visit is offered. */
+  card?: ComponentType;
+  /** Under the numbers of the moment, about what is on the stage. */
+  notes?: ComponentType;
+  /** At the end of the status line, once a run has ended. */
+  runStatus?: ComponentType;
+  /** Always in the page, and seen when it chooses: a dialog, a cover for dropped files. */
+  dialog?: ComponentType;
+  /** Under the sheet of keys; `close` closes the sheet. */
+  help?: ComponentType<{ close(): void }>;
+  commands?: readonly KeyCommand[];
+  /** Rows of the sheet of keys: the keys, and what they do. */
+  keys?: readonly (readonly [string, string])[];
+}
+
+/** Slots that hold a component without properties. */
+export type SlotName =
+  'topStart' | 'topEnd' | 'caption' | 'stagePad' | 'stageSwitch' | 'card' | 'notes' | 'runStatus' | 'dialog';

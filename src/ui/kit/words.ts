@@ -1,0 +1,8 @@
+/** Words of the kit's own controls. */
+export const words = {
+  close: 'Close',
+  differs: (name: string) => `${name} differs from the case: set it back`,
+  scrub: 'Drag to change',
+  loading: 'Loading',
+  failed: 'This part could not be loaded; check the connection and open it again.',
+} as const;

@@ -1,0 +1,48 @@
+/** The sheet of keys, with what a feature offers beside them. */
+import type { Signal } from '@preact/signals';
+import { text as storedText } from '../../app/words.ts';
+import { useUi } from '../context.ts';
+import { Dialog } from '../kit/dialog.tsx';
+import { text } from '../words.ts';
+
+export function KeysDialog({ open, onForget }: { open: Signal<boolean>; onForget?: (() => void) | undefined }) {
+  const { features } = useUi();
+  const close = () => {
+    open.value = false;
+  };
+  if (!open.value) return null;
+  return (
+    <Dialog title={text.top.keys} testId="keys-dialog" onClose={close}>
+      <dl class="keys">
+        {[...text.keys, ...features.flatMap((feature) => feature.keys ?? []), ...text.fieldKeys].map(([keys, what]) => (
+          <div key={keys}>
+            <dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt>
+            <dd>{what}</dd>
+          </div>
+        ))}
+      </dl>
+      {features.map(({ id, help: Help }) =>
+        Help ? (
+          <div key={id} class="forget">
+            <Help close={close} />
+          </div>
+        ) : null,
+      )}
+      {onForget && (
+        <div class="forget">
+          <p class="hint">{storedText.forgetHint}</p>
+          <button
+            type="button"
+            data-testid="forget"
+            onClick={() => {
+              close();
+              onForget();
+            }}
+          >
+            {storedText.forget}
+          </button>
+        </div>
+      )}
+    </Dialog>
+  );
+}

@@ -4,7 +4,7 @@ import { download } from '../../app/files/download.ts';
 import { bitrateFor, fileName, frameCount, frameTime, keyCount, type VideoRange } from '../../app/files/exportPlan.ts';
 import type { ShotPlan, Studio } from '../../app/files/exportRenderer.ts';
 import type { App, Motion } from '../../app/types.ts';
-import type { Encoding } from './video.ts';
+import type { Encoding } from './encoding.ts';
 import { words as text } from './words.ts';
 import { text as page } from '../../ui/words.ts';
 

@@ -11,7 +11,7 @@ import {
   type EncodedPacket,
   type InputVideoTrack,
 } from 'mediabunny';
-import { containerOf, pause, type VideoJob } from './video.ts';
+import { containerOf, pause, type VideoJob } from './encoding.ts';
 
 const HIDDEN_MS = 250;
 

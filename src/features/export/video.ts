@@ -1,34 +1,6 @@
 /** A canvas as a video file: by WebCodecs at exact frame times, else recorded as it plays. */
-import {
-  BufferTarget,
-  CanvasSource,
-  getFirstEncodableVideoCodec,
-  Mp4OutputFormat,
-  Output,
-  WebMOutputFormat,
-} from 'mediabunny';
-
-export interface Encoding {
-  /** `recorded` is taken down as it plays, in true time, and a frame that comes too late for the recorder is missing. */
-  kind: 'exact' | 'recorded';
-  codec: 'avc' | 'vp9' | 'vp8' | 'browser';
-  extension: 'mp4' | 'webm';
-  mime: string;
-}
-
-export interface VideoJob {
-  canvas: HTMLCanvasElement;
-  encoding: Encoding;
-  frames: number;
-  fps: number;
-  /** Bits per second. */
-  bitrate: number;
-  /** Draws frame k on the canvas. */
-  draw(k: number): void;
-  /** After each frame that is in the file. */
-  onFrame(done: number): void;
-  signal: AbortSignal;
-}
+import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Output } from 'mediabunny';
+import { containerOf, pause, type Encoding, type VideoJob } from './encoding.ts';
 
 /** What plays in most places first: MP4 with H.264, WebM, MP4 with whatever the recorder puts into it. */
 const RECORDED = ['video/mp4;codecs=avc1.42E01E', 'video/webm', 'video/mp4'];
@@ -50,11 +22,6 @@ export async function chooseEncoding(width: number, height: number, bitrate: num
 /** The file. @throws DOMException `AbortError` when the signal says so; what the encoder throws. */
 export const encodeVideo = async (job: VideoJob): Promise<Blob> =>
   job.encoding.kind === 'exact' ? encodeExactly(job) : (await import('./recording.ts')).record(job);
-
-export const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
-
-export const containerOf = (extension: Encoding['extension']): Mp4OutputFormat | WebMOutputFormat =>
-  extension === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat();
 
 async function encodeExactly({
   canvas,

@@ -1,0 +1,73 @@
+/**
+ * The page without a browser: an app whose workers never answer, and components under the shell's context. Tests that
+ * use it begin with `// @vitest-environment happy-dom`.
+ */
+import { render, type RenderResult } from '@testing-library/preact';
+import type { ComponentChild } from 'preact';
+import { Comparison } from '../../src/app/runs/comparison.ts';
+import { Sweep } from '../../src/app/runs/sweep.ts';
+import { createApp, systemMetas } from '../../src/app/store.ts';
+import type { App, Motion } from '../../src/app/types.ts';
+import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
+import { methods } from '../../src/core/integrators/methods.ts';
+import { Trajectory } from '../../src/core/motion/trajectory.ts';
+import { checkScenario } from '../../src/core/scenario/schema.ts';
+import type { ScenarioFile } from '../../src/core/scenario/types.ts';
+import { createUi, UiContext, type Ui } from '../../src/ui/context.ts';
+import type { Feature } from '../../src/ui/feature.ts';
+import { runOf } from '../helpers.ts';
+
+/** Takes every message and answers none. */
+class SilentWorker extends EventTarget {
+  postMessage(): void {}
+  terminate(): void {}
+}
+
+const silent = () => new SilentWorker() as unknown as Worker;
+
+export function testApp(): App {
+  return createApp(
+    { run: silent, csv: silent, control: silent },
+    { dark: false, reducedMotion: true, roomy: false },
+    new Comparison(silent, 1),
+    new Sweep(silent, 1),
+  );
+}
+
+let motions = 0;
+
+/** Puts a run of a scenario on the stage, computed here and now. */
+export function putOnStage(app: App, file: ScenarioFile, source: Motion['source'] = 'run'): Motion {
+  const { columns, rows } = runOf(file);
+  const names = [...columns.keys()];
+  const scenario = checkScenario(file, systemMetas);
+  const motion: Motion = {
+    id: ++motions,
+    source,
+    title: 'A motion',
+    system: app.systemOf(file.system)!,
+    parameters: scenario.parameters,
+    trajectory: Trajectory.of(
+      names,
+      names.map((name) => columns.get(name)!.slice(0, rows)),
+    ),
+    constraints: scenario.constraints,
+    scenario,
+    written: file,
+    adjustments: [],
+    issues: [],
+    marks: [],
+    judgement: null,
+  };
+  app.state.motion.value = motion;
+  return motion;
+}
+
+/** Draws something as the shell would. */
+export function draw(
+  node: ComponentChild,
+  { app = testApp(), features = [] }: { app?: App; features?: readonly Feature[] } = {},
+): RenderResult & { app: App; ui: Ui } {
+  const ui = createUi(app, methods, formulations, features, app.state.origin);
+  return { ...render(<UiContext.Provider value={ui}>{node}</UiContext.Provider>), app, ui };
+}

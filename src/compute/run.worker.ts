@@ -1,5 +1,5 @@
 import { ScenarioError } from '../core/scenario/types.ts';
-import { EXTRA_COLUMNS, Simulation } from '../core/simulation/simulation.ts';
+import { PAGE_COLUMNS, Simulation } from '../core/simulation/simulation.ts';
 import { loadSystem } from '../core/systems/registry.ts';
 import type { FromWorker, Live, ToWorker } from './protocol.ts';
 
@@ -49,7 +49,7 @@ async function start({ run, scenario, from, live }: Extract<ToWorker, { type: 's
         ? (await import('../core/control/design/feedback.ts')).feedbackOf(scenario, system)
         : null;
     if (wanted !== run) return;
-    const simulation = new Simulation(scenario, system, { extras: EXTRA_COLUMNS, from, feedback, pushes: live && [] });
+    const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
     seconds = 0;
     current = { run, simulation };
     post({

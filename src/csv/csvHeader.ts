@@ -65,7 +65,8 @@ function vocabulary(meta: SystemMeta): Map<string, Word> {
   for (const q of meta.coordinates) add(`${q.name}_dot`, `${q.name}_dot`, `${q.kind} rate`, true);
   for (const time of ['t', 'time']) add(time, 't', 'time', true);
   for (let i = 1; i <= 2 * meta.coordinates.length; i++) add(`lambda_${i}`, `lambda_${i}`, 'plain', false);
-  for (const other of ['energy', 'residual', ...meta.inputs.map((i) => i.name)]) add(other, other, 'plain', false);
+  for (const other of ['energy', 'residual', 'kinetic', 'potential', ...meta.inputs.map((i) => i.name)])
+    add(other, other, 'plain', false);
   for (const q of meta.coordinates) add(`f_${q.name}`, `f_${q.name}`, 'plain', false);
   return words;
 }

@@ -137,6 +137,7 @@ export class FileOpener {
     const { state, messages } = this.context;
     const system = systemViews[result.systemId]!;
     const trajectory = Trajectory.of(result.columns, result.data);
+    trajectory.recorded = true;
     const shown = state.motion.peek();
     const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
     const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));

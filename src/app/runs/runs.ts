@@ -279,6 +279,7 @@ const rowsOf = ({ duration, outputStep }: Scenario): number => Math.ceil(duratio
 function firstRows({ before: { trajectory }, row }: Onward, columns: readonly string[], expected: number): Trajectory {
   const rows = row + 1;
   const kept = new Trajectory(columns, Math.max(2 * rows, expected));
+  kept.recorded = trajectory.recorded;
   kept.append(
     columns.map((name) => trajectory.column(name)?.subarray(0, rows) ?? new Float64Array(rows).fill(NaN)),
     rows,

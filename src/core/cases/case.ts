@@ -52,7 +52,7 @@ export interface Published {
  * `energy`: what the inputs put in, J: the integral of the sum of u times its rate (`net`), or of its absolute values
  * (`gross`: what motors that take nothing back would spend; a rider's muscles spend more);
  * `distance`: length of the path of (x, y), m; `speed`: that over the time it took, m/s;
- * `transport`: cost of transport, energy over distance, J/m.
+ * `energyPerMetre`: energy over distance, J/m.
  */
 export type Measure =
   | { kind: 'end'; column: string }
@@ -60,7 +60,7 @@ export type Measure =
   | { kind: 'max' | 'min'; column: string; from?: number; to?: number }
   | { kind: 'diameter' | 'distance' | 'speed'; x: string; y: string; from?: number; to?: number }
   | { kind: 'energy'; spent: 'net' | 'gross'; from?: number; to?: number }
-  | { kind: 'transport'; spent: 'net' | 'gross'; x: string; y: string; from?: number; to?: number };
+  | { kind: 'energyPerMetre'; spent: 'net' | 'gross'; x: string; y: string; from?: number; to?: number };
 
 /** A plot of columns against a column, with the report's axes where it reproduces a figure. */
 export interface CasePlot {

@@ -1,5 +1,5 @@
-import { inputsOf } from '../model/inputs.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
+import { recipeOf } from '../motion/recipes.ts';
 import type { SystemView } from '../model/system.ts';
 import type { Measure } from './case.ts';
 
@@ -7,9 +7,7 @@ import type { Measure } from './case.ts';
 export type Columns = (name: string) => Float64Array | undefined;
 
 /**
- * Columns of a run as plots and measures name them: recorded ones; `<body>.x`, `.y`, `.z`, the place of a body's origin
- * (m); `power` and `power.gross` of the inputs, the sum of u times its rate and of its absolute values (W), of a run with
- * its inputs recorded.
+ * Columns of a run as plots and measures name them: recorded ones, and those that the catalogue computes of them.
  * @throws Error for a name that is neither
  */
 export function caseColumns(
@@ -17,45 +15,15 @@ export function caseColumns(
   parameters: Readonly<Record<string, number>>,
   recorded: Columns,
 ): (name: string) => Float64Array {
-  const { coordinates, bodies } = view.meta;
-  const p = Float64Array.from(view.meta.parameters, (m) => parameters[m.name] ?? m.default);
-  const poses = new Float64Array(12 * bodies.length);
-  const q = new Float64Array(coordinates.length);
   return (name) => {
     const column = recorded(name);
     if (column) return column;
-    if (name === 'power' || name === 'power.gross') return inputPower(view, recorded, name === 'power.gross');
-    const [body, axis] = name.split('.');
-    const offset = 12 * bodies.findIndex((b) => b.id === body) + ['x', 'y', 'z'].indexOf(axis ?? '');
-    if (offset < 0 || !axis || axis.length !== 1) throw new Error(`there is no column "${name}"`);
-    const state = coordinates.map((c) => recorded(c.name)!);
-    return recorded('t')!.map((_, row) => {
-      for (let i = 0; i < q.length; i++) q[i] = state[i]![row]!;
-      view.poses(q, p, poses);
-      return poses[offset]!;
-    });
+    const recipe = recipeOf(view, parameters, (other) => recorded(other) !== undefined, name);
+    if (!recipe) throw new Error(`there is no column "${name}", and what is recorded is not enough to compute it`);
+    const from = recipe.from.map((other) => recorded(other)!);
+    let before = 0;
+    return recorded('t')!.map((_, row) => (before = recipe.value(from, row, before)));
   };
-}
-
-/** Sum over the inputs of u times the rate of what it acts on, W. */
-function inputPower({ meta }: SystemView, recorded: Columns, gross: boolean): Float64Array {
-  const power = new Float64Array(recorded('t')!.length);
-  for (const { name, column } of inputsOf(meta)) {
-    const u = recorded(name);
-    if (!u) {
-      if (meta.inputs.some((input) => input.name === name))
-        throw new Error(`the run has no column "${name}": power needs its inputs`);
-      continue;
-    }
-    const rates = Object.entries(column).map(
-      ([coordinate, weight]) => [recorded(`${coordinate}_dot`)!, weight] as const,
-    );
-    for (let row = 0; row < power.length; row++) {
-      const part = u[row]! * rates.reduce((sum, [rate, weight]) => sum + weight * rate[row]!, 0);
-      power[row]! += gross ? Math.abs(part) : part;
-    }
-  }
-  return power;
 }
 
 /** The number that a measure names; `column` as made by `caseColumns`. NaN for a time without a row. */
@@ -79,7 +47,7 @@ export function measured(measure: Measure, column: (name: string) => Float64Arra
       return distance(measure) / (within(t).at(-1)! - within(t)[0]!);
     case 'energy':
       return energy(measure.spent);
-    case 'transport':
+    case 'energyPerMetre':
       return energy(measure.spent) / distance(measure);
     case 'max':
       return Math.max(...within(column(measure.column)));

@@ -19,6 +19,15 @@ export interface CoordinateMeta {
   rest?: number;
 }
 
+/** A sum of angle coordinates; its rate is `<name>_dot`. */
+export interface SumMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  of: readonly string[];
+  part: CoordinateMeta['part'];
+}
+
 export interface ParameterMeta {
   name: string;
   symbol: string;
@@ -124,6 +133,8 @@ export interface SystemMeta {
   inputs: readonly InputMeta[];
   /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
   speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
+  /** Sums of angles that have a name of their own, a plate's own roll: columns wherever coordinates are. */
+  sums?: readonly SumMeta[];
   /** Which way is forward, where `speed` does not say it: the velocity along the heading is what gains are scheduled over. */
   forward?: { along: readonly [string, string]; heading: string };
   /** Inputs that a regulator is first offered with; all of them where this is left out. */

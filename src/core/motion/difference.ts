@@ -1,5 +1,6 @@
+import { shorter } from './interpolation.ts';
+import { resample } from './resample.ts';
 import type { Trajectory } from './trajectory.ts';
-import { resample, shorter } from './resample.ts';
 
 /** How one column of two runs differs over the time they share. */
 export interface Difference {

@@ -1,5 +1,8 @@
 import type { SystemView, TrackedPoint } from '../model/system.ts';
 import { matrixOf, quaternionOf, slerp } from './attitude.ts';
+import { columnOf } from './columns.ts';
+import { interpolate, TURN } from './interpolation.ts';
+import { rowAt, valueAt } from './resample.ts';
 import type { Trajectory } from './trajectory.ts';
 
 /** Multipliers at a moment as forces on the ground contacts, N in world axes. */
@@ -23,9 +26,9 @@ const FIRST_ROWS = 250;
 const ROWS_AT_ONCE = 6000;
 
 /**
- * A trajectory between its rows: positions interpolated linearly, attitudes on the shorter arc (so that a
- * recorded angle that jumps by a full turn makes no body spin), wheel angles from the distance rolled,
- * and the paths of the tracked points. Follows a trajectory that still grows.
+ * A trajectory between its rows: the coordinates of a computed one as `interpolate` has them; of a recorded one the
+ * positions linearly and the attitudes on the shorter arc, so that an angle that jumps by a full turn makes no body
+ * spin. Wheel angles come from the distance rolled, and with them the paths of the tracked points. Follows a trajectory that still grows.
  */
 export class MotionSampler {
   readonly poses: Float64Array;
@@ -37,6 +40,7 @@ export class MotionSampler {
   private readonly q: Float64Array;
   /** The coordinates' columns, valid until the trajectory grows. */
   private readonly coordinates: Float64Array[] = [];
+  private readonly rates: (Float64Array | undefined)[] = [];
   private readonly before: Float64Array;
   private readonly after: Float64Array;
   private readonly quaternions = [new Float64Array(4), new Float64Array(4), new Float64Array(4)] as const;
@@ -97,9 +101,16 @@ export class MotionSampler {
     const next = Math.min(row + 1, trajectory.length - 1);
     const span = t[next]! - t[row]!;
     const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
-    this.posesAt(row, this.before);
-    this.posesAt(next, this.after);
-    this.blend(share);
+    if (trajectory.recorded) {
+      this.posesAt(row, this.before);
+      this.posesAt(next, this.after);
+      this.blend(share);
+    } else {
+      const last = rowAt(trajectory, time);
+      for (let i = 0; i < this.q.length; i++)
+        this.q[i] = interpolate(t, this.coordinates[i]!, this.rates[i], last, time);
+      this.view.poses(this.q, this.parameters, this.poses);
+    }
     // Beyond the rows that have been followed a wheel keeps the last angle.
     const [known, ahead] = [Math.min(row, this.tracked - 1), Math.min(next, this.tracked - 1)];
     this.rolled.forEach(
@@ -148,21 +159,19 @@ export class MotionSampler {
     return list;
   }
 
-  /** Linear interpolation of one column, or null if there is no such column or value. */
+  /** One column at a time, or null if there is no such column or value. */
   interpolated(column: string, time: number): number | null {
-    const values = this.trajectory.column(column);
-    if (!values || values.length === 0) return null;
-    const t = this.trajectory.column('t')!;
-    const row = this.trajectory.locate(time);
-    const next = Math.min(row + 1, values.length - 1);
-    const span = t[next]! - t[row]!;
-    const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
-    const value = share === 0 ? values[row]! : values[row]! + share * (values[next]! - values[row]!);
-    return Number.isFinite(value) ? value : null;
+    const { trajectory, view } = this;
+    const period = trajectory.recorded && columnOf(view.meta, column).turns ? TURN : 0;
+    const value = valueAt(trajectory, column, time, period);
+    return value !== null && Number.isFinite(value) ? value : null;
   }
 
   private gather(): void {
-    this.view.meta.coordinates.forEach(({ name }, i) => (this.coordinates[i] = this.trajectory.column(name)!));
+    this.view.meta.coordinates.forEach(({ name }, i) => {
+      this.coordinates[i] = this.trajectory.column(name)!;
+      this.rates[i] = this.trajectory.column(`${name}_dot`);
+    });
   }
 
   private posesAt(row: number, out: Float64Array): void {

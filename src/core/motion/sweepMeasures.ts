@@ -1,27 +1,24 @@
 import type { Measure } from '../cases/case.ts';
 import { inputsOf } from '../model/inputs.ts';
+import { groundCoordinates } from './columns.ts';
+import { recipeOf, type Recipe } from './recipes.ts';
 import type { RunCounts, RunEnd } from '../simulation/simulation.ts';
-import type { System, SystemMeta } from '../model/system.ts';
+import type { System } from '../model/system.ts';
 
 /**
  * A number that a sweep keeps of each run. Of a column, over all rows: `end`, `max`, `min`. Else:
  * `time` when it ended (s), `drift` of energy (as `RunCounts`), `residual`, `steps`, `seconds` of computing,
  * `work` that the inputs put in (J; what they take out is not given back), `distance` along the path on the ground (m),
- * `transport`: cost of transport, work / (mass x gravity x distance).
+ * `costOfTransport`: without dimension, work / (mass x gravity x distance).
  */
 export type SweepMeasure =
   | Extract<Measure, { kind: 'end' | 'max' | 'min' }>
-  | { kind: 'time' | 'drift' | 'residual' | 'steps' | 'seconds' | 'work' | 'distance' | 'transport' };
+  | { kind: 'time' | 'drift' | 'residual' | 'steps' | 'seconds' | 'work' | 'distance' | 'costOfTransport' };
 
 export type FactKind = Exclude<SweepMeasure['kind'], 'end' | 'max' | 'min'>;
 
 /** Of standard gravity, for systems that name none. */
 const STANDARD_GRAVITY = 9.81;
-
-/** Coordinates of a place on the ground: those called x and y, whatever their case. */
-export function groundCoordinates({ coordinates }: SystemMeta): string[] {
-  return coordinates.filter(({ name, kind }) => kind === 'length' && /^[xy]$/i.test(name)).map(({ name }) => name);
-}
 
 /** Extra columns that the measures need of a run. */
 export function extrasFor(measures: readonly SweepMeasure[]): string[] {
@@ -31,7 +28,10 @@ export function extrasFor(measures: readonly SweepMeasure[]): string[] {
   if (columns.includes('energy')) extras.push('energy');
   if (columns.includes('residual')) extras.push('residual');
   // What is neither of these nor a state is an input.
-  if (measures.some(({ kind }) => kind === 'work' || kind === 'transport') || columns.some((c) => /^(tau|f)_/.test(c)))
+  if (
+    measures.some(({ kind }) => kind === 'work' || kind === 'costOfTransport') ||
+    columns.some((c) => /^(tau|f)_/.test(c))
+  )
     extras.push('inputs');
   return extras;
 }
@@ -41,6 +41,8 @@ export class RunMeasurer {
   private readonly measures: readonly SweepMeasure[];
   private readonly values: Float64Array;
   private readonly places: Int32Array;
+  /** Of measured columns that are not recorded: how each row follows, and from which columns. */
+  private readonly recipes: readonly ({ recipe: Recipe; from: readonly number[] } | null)[];
   private readonly ground: readonly number[];
   /** Per recorded input: its column, and the rates it works on with their factors. */
   private readonly efforts: readonly { column: number; rates: readonly { column: number; factor: number }[] }[];
@@ -66,6 +68,13 @@ export class RunMeasurer {
     this.measures = measures;
     const at = (name: string): number => columns.indexOf(name);
     this.places = Int32Array.from(measures, (m) => ('column' in m ? at(m.column) : -1));
+    this.recipes = measures.map((m) => {
+      const recipe =
+        'column' in m && at(m.column) < 0
+          ? recipeOf(system, parameters, (name) => columns.includes(name), m.column)
+          : null;
+      return recipe && { recipe, from: recipe.from.map(at) };
+    });
     this.values = Float64Array.from(measures, ({ kind }) =>
       kind === 'max' ? -Infinity : kind === 'min' ? Infinity : NaN,
     );
@@ -87,6 +96,17 @@ export class RunMeasurer {
     for (let m = 0; m < this.places.length; m++) {
       const place = this.places[m]!;
       if (place >= 0) this.extend(m, chunk[place]!, rows);
+      const made = this.recipes[m];
+      if (made)
+        this.extend(
+          m,
+          computed(
+            made.recipe,
+            made.from.map((c) => chunk[c]!),
+            rows,
+          ),
+          rows,
+        );
     }
     for (let row = 0; row < rows; row++) this.move(chunk, row);
   }
@@ -101,10 +121,10 @@ export class RunMeasurer {
       seconds,
       work: this.efforts.length > 0 ? this.work : NaN,
       distance: this.ground.length > 0 ? this.distance : NaN,
-      transport: this.efforts.length > 0 && this.distance > 0 ? this.work / (this.weight * this.distance) : NaN,
+      costOfTransport: this.efforts.length > 0 && this.distance > 0 ? this.work / (this.weight * this.distance) : NaN,
     };
     return this.measures.map((m, i) => {
-      const value = 'column' in m ? (this.places[i]! < 0 ? NaN : this.values[i]!) : facts[m.kind];
+      const value = 'column' in m ? (this.places[i]! < 0 && !this.recipes[i] ? NaN : this.values[i]!) : facts[m.kind];
       return Number.isFinite(value) ? value : NaN;
     });
   }
@@ -146,6 +166,11 @@ export class RunMeasurer {
     }
     return sum;
   }
+}
+
+/** A computed column over the rows of one chunk: of columns whose rows do not depend on those before. */
+function computed(recipe: Recipe, from: readonly Float64Array[], rows: number): Float64Array {
+  return Float64Array.from({ length: rows }, (_, row) => recipe.value(from, row, 0));
 }
 
 /** The mass that a push along the ground meets when nothing turns: the mass matrix's entry of that coordinate, kg. */

@@ -10,6 +10,8 @@ export class Trajectory {
   readonly columns: readonly string[];
   /** Rises when rows were let go: what was made from row numbers is to be made anew. */
   generation = 0;
+  /** From a file, whose angles may jump by whole turns from row to row: the shorter way is taken between rows. */
+  recorded = false;
   /** One row in so many is kept. */
   stride = 1;
   private data: Float64Array[];

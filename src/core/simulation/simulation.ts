@@ -63,6 +63,9 @@ const REACHED = 1e-9;
 /** What `columns` of a scenario may ask for; state columns are always there. */
 export const EXTRA_COLUMNS = ['lambda', 'energy', 'residual', 'inputs'] as const;
 
+/** What the page asks for: kinetic and potential energy too, columns `kinetic` and `potential`. */
+export const PAGE_COLUMNS = [...EXTRA_COLUMNS, 'energy-parts'] as const;
+
 /**
  * A run of a scenario, row by row: construct, then call `advance` until `end` is set, taking chunks in between.
  * It owns no clock and no thread, so that a worker, the command line and a test drive the same code.
@@ -383,6 +386,10 @@ export class Simulation {
       this.actuation.values(time, q, v, this.u);
       for (let i = 0; i < this.u.length; i++) this.chunk[c++]![row] = this.u[i]!;
     }
+    if (extras.has('energy-parts')) {
+      this.chunk[c++]![row] = this.energies[0]!;
+      this.chunk[c++]![row] = this.energies[1]!;
+    }
     this.emitted++;
   }
 
@@ -393,6 +400,7 @@ export class Simulation {
     if (this.extras.has('energy')) list.push('energy');
     if (this.extras.has('residual')) list.push('residual');
     if (this.extras.has('inputs')) list.push(...this.actuation.names);
+    if (this.extras.has('energy-parts')) list.push('kinetic', 'potential');
     return list;
   }
 

@@ -3,8 +3,8 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { App } from '../../app/types.ts';
 import { createOverlayPlot, type OverlayCurve, type OverlayPlot } from '../../charts/overlayPlot.ts';
 import { token } from '../../charts/tokens.ts';
-import { axisLabel, type ColumnInfo } from '../../core/motion/columns.ts';
-import { valueAt } from '../../core/motion/resample.ts';
+import { shownFactor, spoken, type Column } from '../../core/motion/columns.ts';
+import { valuesOf } from '../../core/motion/columnValues.ts';
 import type { ShownRun } from './shownRuns.ts';
 
 /** One column of several runs against time or another column. */
@@ -20,8 +20,8 @@ export function CurvePane({
 }: {
   app: App;
   runs: readonly ShownRun[];
-  x: ColumnInfo;
-  y: ColumnInfo;
+  x: Column;
+  y: Column;
   zoom: Signal<readonly [number, number] | null>;
   equal: boolean;
   label: string;
@@ -34,8 +34,8 @@ export function CurvePane({
   latest.current = runs;
   useEffect(() => {
     const made = (plot.current = createOverlayPlot(host.current!, {
-      xLabel: x.name === 't' ? 't [s]' : axisLabel(x),
-      yLabel: axisLabel(y),
+      xLabel: spoken(x, true),
+      yLabel: spoken(y, true),
       rising: x.name === 't',
       equal,
       onZoom: (range) => {
@@ -84,9 +84,9 @@ export function CurvePane({
 
 const EMPTY = new Float64Array(0);
 
-function curvesOf(runs: readonly ShownRun[], x: ColumnInfo, y: ColumnInfo): OverlayCurve[] {
-  return runs.map(({ name, motion: { trajectory }, style }) => {
-    const [xs, ys] = [trajectory.column(x.name), trajectory.column(y.name)];
+function curvesOf(runs: readonly ShownRun[], x: Column, y: Column): OverlayCurve[] {
+  return runs.map(({ name, motion, style }) => {
+    const [xs, ys] = [x, y].map((c) => valuesOf(motion, c.name).get());
     const there = xs !== undefined && ys !== undefined;
     return {
       label: name,
@@ -95,20 +95,16 @@ function curvesOf(runs: readonly ShownRun[], x: ColumnInfo, y: ColumnInfo): Over
       ...(style ? {} : { width: 2 }),
       x: there ? xs : EMPTY,
       y: there ? ys : EMPTY,
-      xFactor: x.factor,
-      yFactor: y.factor,
+      xFactor: shownFactor(x, true),
+      yFactor: shownFactor(y, true),
     };
   });
 }
 
 /** Where a run is at a time; nowhere outside of its own. */
-function pointAt(
-  { motion: { trajectory } }: ShownRun,
-  x: ColumnInfo,
-  y: ColumnInfo,
-  time: number,
-): readonly [number, number] | null {
+function pointAt({ motion }: ShownRun, x: Column, y: Column, time: number): readonly [number, number] | null {
+  const { trajectory } = motion;
   if (trajectory.length === 0 || time < trajectory.start || time > trajectory.end) return null;
-  const [px, py] = [x, y].map(({ name }) => (name === 't' ? time : valueAt(trajectory, name, time)));
-  return typeof px !== 'number' || typeof py !== 'number' ? null : [px * x.factor, py * y.factor];
+  const [px, py] = [x, y].map((c) => valuesOf(motion, c.name).at(time) * shownFactor(c, true)) as [number, number];
+  return Number.isNaN(px) || Number.isNaN(py) ? null : [px, py];
 }

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
 import { createOverlayPlot, type OverlayPlot } from '../../charts/overlayPlot.ts';
 import { token } from '../../charts/tokens.ts';
-import { axisLabel, columnInfo, type ColumnInfo } from '../../core/motion/columns.ts';
+import { columnOf, shownFactor, shownUnit, spoken, type Column } from '../../core/motion/columns.ts';
 import { commonTimes, differenceOf, type Difference } from '../../core/motion/difference.ts';
 import { words } from './words.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
@@ -14,7 +14,7 @@ import { csvText } from './csvText.ts';
 import type { ShownRun } from './shownRuns.ts';
 
 interface Line {
-  info: ColumnInfo;
+  info: Column;
   difference: Difference;
 }
 
@@ -95,8 +95,8 @@ function useLines(a: ShownRun, b: ShownRun, turns: boolean): readonly Line[] | n
         lines.value = found;
         return;
       }
-      const info = columnInfo(a.motion.system.meta, name);
-      const difference = differenceOf(one, other, name, turns && info.angle ? 2 * Math.PI : 0, times);
+      const info = columnOf(a.motion.system.meta, name);
+      const difference = differenceOf(one, other, name, turns && info.turns ? 2 * Math.PI : 0, times);
       if (difference) found.push({ info, difference });
       setTimeout(() => step(i + 1));
     };
@@ -187,12 +187,12 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
                   >
                     {info.name}
                   </button>{' '}
-                  <span class="unit">{info.unit}</span>
+                  <span class="unit">{shownUnit(info, true)}</span>
                 </th>
-                <td>{number(d.rms * info.factor)}</td>
-                <td>{number(d.max * info.factor)}</td>
+                <td>{number(d.rms * shownFactor(info, true))}</td>
+                <td>{number(d.max * shownFactor(info, true))}</td>
                 <td>{formatFixed(d.maxTime, 3)}</td>
-                <td>{number(d.final * info.factor)}</td>
+                <td>{number(d.final * shownFactor(info, true))}</td>
               </tr>
             ))}
           </tbody>
@@ -219,7 +219,7 @@ function DifferencePlot({ line }: { line: Line }) {
   useEffect(() => {
     const made = (plot.current = createOverlayPlot(host.current!, {
       xLabel: 't [s]',
-      yLabel: `Δ ${axisLabel(info)}`,
+      yLabel: `Δ ${spoken(info, true)}`,
       rising: true,
       onSeek: (time) => app.actions.seek(time),
     }));
@@ -241,7 +241,7 @@ function DifferencePlot({ line }: { line: Line }) {
         x: line.difference.times,
         y: line.difference.values,
         xFactor: 1,
-        yFactor: info.factor,
+        yFactor: shownFactor(info, true),
       },
     ]);
   }, [line]);
@@ -250,7 +250,7 @@ function DifferencePlot({ line }: { line: Line }) {
       ref={host}
       class="overlay-plot low"
       role="img"
-      aria-label={words.differencePlot(axisLabel(info))}
+      aria-label={words.differencePlot(spoken(info, true))}
       data-testid="difference-plot"
     />
   );

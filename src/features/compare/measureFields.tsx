@@ -1,5 +1,6 @@
 import { useSignal, type Signal } from '@preact/signals';
-import { groundCoordinates, type FactKind, type SweepMeasure } from '../../core/motion/sweepMeasures.ts';
+import { groundCoordinates } from '../../core/motion/columns.ts';
+import type { FactKind, SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { words } from './words.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
@@ -26,7 +27,7 @@ export function MeasureFields({
   const facts = (Object.keys(own.units) as FactKind[]).filter(
     (k) =>
       (meta.order !== 1 || k === 'time' || k === 'steps' || k === 'seconds') &&
-      (!/^(distance|transport)$/.test(k) || groundCoordinates(meta).length > 0),
+      (!/^(distance|costOfTransport)$/.test(k) || groundCoordinates(meta).length > 0),
   );
   const made: SweepMeasure = ofColumn(kind.value) ? { kind: kind.value, column: column.value } : { kind: kind.value };
   const there = measures.value.some((m) => measureInfo(m, meta).id === measureInfo(made, meta).id);

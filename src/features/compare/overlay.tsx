@@ -2,8 +2,7 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
-import { axisLabel, columnInfo } from '../../core/motion/columns.ts';
-import { groundCoordinates } from '../../core/motion/sweepMeasures.ts';
+import { columnOf, groundCoordinates, spoken } from '../../core/motion/columns.ts';
 import { words } from './words.ts';
 import { Icon, Section } from '../../ui/kit/controls.tsx';
 import { useUi } from '../../ui/context.ts';
@@ -27,7 +26,7 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
   const shown = runs.filter((run) => run.visible);
   const ground = groundCoordinates(meta);
   const infoOf = (name: string) =>
-    columnInfo(runs.find((run) => run.motion.trajectory.has(name))?.motion.system.meta ?? meta, name);
+    columnOf(runs.find((run) => run.motion.trajectory.has(name))?.motion.system.meta ?? meta, name);
   const change = (id: number, column: string) => {
     panes.value = panes.value.map((pane) => (pane.id === id ? { ...pane, column } : pane));
   };
@@ -134,7 +133,7 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
                 zoom={zoom}
                 testId={`overlay-plot-${id}`}
                 equal={ground.includes(against) && ground.includes(y)}
-                label={words.plot(axisLabel(infoY), against === 't' ? words.time : axisLabel(infoX), shown.length)}
+                label={words.plot(spoken(infoY, true), spoken(infoX, true), shown.length)}
               />
             </div>
           );

@@ -1,7 +1,7 @@
 import type { App } from '../../app/types.ts';
 import { systemMetas } from '../../app/store.ts';
 import { otherMethods, reportMethods } from '../../core/cases/methodSets.ts';
-import { columnInfo } from '../../core/motion/columns.ts';
+import { columnOf, shownFactor, shownUnit, sumsOf } from '../../core/motion/columns.ts';
 import { spaced, sweepPaths, type SweepAxis, type SweepPath } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
@@ -94,7 +94,16 @@ export function measurableColumns(app: App, meta: SystemMeta): string[] {
     motion?.system.meta.id === meta.id && motion.source === 'run'
       ? motion.trajectory.columns.filter((c) => c !== 't')
       : [];
-  return [...new Set([...states, ...states.map((s) => `${s}_dot`), 'energy', 'residual', ...more])];
+  return [
+    ...new Set([
+      ...states,
+      ...states.map((s) => `${s}_dot`),
+      'energy',
+      'residual',
+      ...more,
+      ...sumsOf(meta, () => true),
+    ]),
+  ];
 }
 
 /** A measure's words, unit and factor to what is shown. */
@@ -103,12 +112,12 @@ export function measureInfo(
   meta: SystemMeta,
 ): { id: string; label: string; unit: string; factor: number } {
   if ('column' in measure) {
-    const { unit, factor } = columnInfo(meta, measure.column);
+    const of = columnOf(meta, measure.column);
     return {
       id: `${measure.kind}-${measure.column}`,
       label: `${own.kinds[measure.kind]} ${measure.column}`,
-      unit,
-      factor,
+      unit: shownUnit(of, true),
+      factor: shownFactor(of, true),
     };
   }
   return { id: measure.kind, label: own.kinds[measure.kind], unit: own.units[measure.kind], factor: 1 };

@@ -2,28 +2,17 @@
 import type { Motion } from '../../app/types.ts';
 import type { PaneCurve } from '../../charts/panePlot.ts';
 import { compileExpression } from '../../core/scenario/expressions.ts';
+import { shownFactor, type Column } from '../../core/motion/columns.ts';
 import { decimated } from '../../core/motion/envelope.ts';
 import { rowsWithin } from '../../core/motion/rowsWithin.ts';
-import type { Trajectory } from '../../core/motion/trajectory.ts';
-import type { ColumnInfo } from './columns.ts';
 import type { PaneProps } from './paneView.tsx';
 import type { CurveStyle } from './style.ts';
 
-export const DEGREE = Math.PI / 180;
 const EXACT_POINTS = 400;
 /** Points of a path at the most. */
 const PATH_POINTS = 20_000;
 
 type Range = readonly [number, number];
-
-export const shownUnit = (c: ColumnInfo, degrees: boolean): string =>
-  c.angle && degrees ? c.unit.replace('rad', '°') : c.unit;
-
-/** The unit that all of these have, or nothing. */
-export function unitOf(columns: readonly ColumnInfo[], degrees: boolean): string {
-  const units = [...new Set(columns.map((c) => shownUnit(c, degrees)))];
-  return units.length === 1 ? units[0]! : units.filter(Boolean).join(', ');
-}
 
 /** The times that are shown. */
 export function limits({ trajectory }: Motion, range: Range | null, to = Infinity): Range {
@@ -31,36 +20,14 @@ export function limits({ trajectory }: Motion, range: Range | null, to = Infinit
   return range ?? [trajectory.start, end > trajectory.start ? end : trajectory.start + 1];
 }
 
-/** Value at a time, linear between rows; NaN where there is none. */
-export function at(trajectory: Trajectory, values: Float64Array, time: number): number {
-  const t = trajectory.column('t')!;
-  if (values.length === 0) return NaN;
-  const row = Math.min(trajectory.locate(time), values.length - 1);
-  const next = Math.min(row + 1, values.length - 1);
-  const span = t[next]! - t[row]!;
-  const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
-  return share === 0 ? values[row]! : values[row]! + share * (values[next]! - values[row]!);
-}
-
-/** Work up to a time by the trapezoidal rule over the rows, J. */
-export function energySpent(trajectory: Trajectory, power: Float64Array, time: number): number {
-  const t = trajectory.column('t')!;
-  let sum = 0;
-  for (let i = 1; i < power.length && t[i]! <= time; i++) {
-    const share = 0.5 * (t[i]! - t[i - 1]!) * (power[i]! + power[i - 1]!);
-    if (share === share) sum += share;
-  }
-  return sum;
-}
-
 export function curvesOf(
   { pane, motion, values, range }: PaneProps,
-  infoOf: (name: string) => ColumnInfo,
+  infoOf: (name: string) => Column,
   degrees: boolean,
   styles: readonly CurveStyle[],
   width: number,
 ): { curves: PaneCurve[]; x: Range; y: Range } {
-  const factor = (name: string): number => (infoOf(name).angle && degrees ? 1 / DEGREE : 1);
+  const factor = (name: string): number => shownFactor(infoOf(name), degrees);
   const shown = pane.y
     .map((name, i) => ({ name, style: styles[i]! }))
     .filter(({ name }) => !pane.hidden?.includes(name));

@@ -9,8 +9,9 @@ import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort, formatTime } from '../../ui/kit/format.ts';
 import { Menu } from '../../ui/kit/menu.tsx';
 import { useSlowTime } from '../../ui/slowTime.ts';
-import type { ColumnInfo, Values } from './columns.ts';
-import { at, curvesOf, DEGREE, energySpent, limits, unitOf } from './drawing.ts';
+import { columnOf, shownFactor, unitsOf, type Column } from '../../core/motion/columns.ts';
+import type { ColumnValues } from '../../core/motion/columnValues.ts';
+import { curvesOf, limits } from './drawing.ts';
 import { attachPointers, onPaneKey } from './pointers.ts';
 import { saveCsv, savePng, saveSvg } from './save.ts';
 import { stylesOf } from './style.ts';
@@ -21,10 +22,10 @@ const REDRAW_MS = 100;
 export interface PaneProps {
   pane: PlotPane;
   motion: Motion;
-  columns: readonly ColumnInfo[];
+  columns: readonly Column[];
   /** The columns again, for the long lists to choose from: they may come a little later. */
-  choices: readonly ColumnInfo[];
-  values(name: string): Values;
+  choices: readonly Column[];
+  values(name: string): ColumnValues;
   /** Of all plots over time; null for the whole. */
   range: Signal<readonly [number, number] | null>;
   first: boolean;
@@ -33,11 +34,11 @@ export interface PaneProps {
 }
 
 export function PaneView(props: PaneProps) {
-  const { pane, motion, columns, choices, first, onChange, onUp } = props;
+  const { pane, motion, choices, first, onChange, onUp } = props;
   // Built once: most of what is to be compared when a pane is drawn anew.
   const options = useMemo(() => <Options columns={choices} />, [choices]);
   const { app } = useUi();
-  const infoOf = infoIn(columns);
+  const infoOf = infoIn(motion);
   const host = useRef<HTMLDivElement>(null);
   const latest = useRef(props);
   latest.current = props;
@@ -147,9 +148,9 @@ export function PaneView(props: PaneProps) {
 }
 
 const infoIn =
-  (columns: readonly ColumnInfo[]) =>
-  (name: string): ColumnInfo =>
-    columns.find((c) => c.name === name) ?? { name, label: name, unit: '', angle: false, part: null, group: '' };
+  ({ system, constraints }: Motion) =>
+  (name: string): Column =>
+    columnOf(system.meta, name, constraints === null ? [] : system.contacts);
 
 /** Makes the drawing once, in the same commit as the legend, so that a drag begun on what is seen is not lost; draws when motion, rows, range, units, curves or theme change. */
 function usePlot(app: App, host: { current: HTMLDivElement | null }, latest: { current: PaneProps }): void {
@@ -170,12 +171,12 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, latest: { c
     };
     const soon = (): void => void (timer ??= setTimeout(draw, Math.max(0, REDRAW_MS - (performance.now() - last))));
     const mark = (): void => {
-      const { pane, motion, columns, values } = latest.current;
+      const { pane, motion, values } = latest.current;
       const time = state.time.peek();
       if (pane.x === 't') return plot.mark(time, []);
-      const info = infoIn(columns);
+      const info = infoIn(motion);
       const value = (name: string): number =>
-        at(motion.trajectory, values(name).get(), time) / (info(name).angle && state.plots.peek().degrees ? DEGREE : 1);
+        values(name).at(time) * shownFactor(info(name), state.plots.peek().degrees);
       const styles = stylesOf(pane.y.map(info));
       plot.mark(
         null,
@@ -213,29 +214,29 @@ function usePlot(app: App, host: { current: HTMLDivElement | null }, latest: { c
 }
 
 function pictureOf(props: PaneProps, degrees: boolean, width: number): PanePicture {
-  const { pane, columns } = props;
-  const info = infoIn(columns);
+  const { pane, motion } = props;
+  const info = infoIn(motion);
   const x = info(pane.x);
   const y = pane.y.map(info);
   return {
     ...curvesOf(props, info, degrees, stylesOf(y), width),
-    xLabel: pane.x === 't' ? 't, s' : [pane.x, unitOf([x], degrees)].filter(Boolean).join(', '),
-    yLabel: unitOf(y, degrees),
+    xLabel: pane.x === 't' ? 't, s' : [pane.x, unitsOf([x], degrees)].filter(Boolean).join(', '),
+    yLabel: unitsOf(y, degrees),
     equal: pane.equal ?? false,
   };
 }
 
-function Options({ columns }: { columns: readonly ColumnInfo[] }) {
+function Options({ columns }: { columns: readonly Column[] }) {
   const groups = [...new Set(columns.map((c) => c.group))];
   return (
     <>
       {groups.map((group) => (
-        <optgroup key={group} label={group}>
+        <optgroup key={group} label={text.groups[group]}>
           {columns
             .filter((c) => c.group === group)
             .map((c) => (
               <option key={c.name} value={c.name}>
-                {c.name === c.label ? c.name : `${c.name} · ${c.label}`}
+                {c.label}
               </option>
             ))}
         </optgroup>
@@ -244,7 +245,7 @@ function Options({ columns }: { columns: readonly ColumnInfo[] }) {
   );
 }
 
-function Legend({ info, degrees, ...props }: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
+function Legend({ info, degrees, ...props }: PaneProps & { info: readonly Column[]; degrees: boolean }) {
   const { pane, onChange } = props;
   const styles = stylesOf(info);
   const hidden = new Set(pane.hidden);
@@ -277,7 +278,7 @@ function Legend({ info, degrees, ...props }: PaneProps & { info: readonly Column
                 />
               </svg>
               <span>{c.name}</span> <LegendValue of={c} degrees={degrees} {...props} />{' '}
-              <span class="unit">{unitOf([c], degrees)}</span>
+              <span class="unit">{unitsOf([c], degrees)}</span>
             </button>
             <button
               type="button"
@@ -304,13 +305,9 @@ function Legend({ info, degrees, ...props }: PaneProps & { info: readonly Column
 }
 
 /** On its own: it follows the time, and the colours around it are not asked for again. */
-function LegendValue({ of: c, motion, values, degrees }: PaneProps & { of: ColumnInfo; degrees: boolean }) {
+function LegendValue({ of: c, motion, values, degrees }: PaneProps & { of: Column; degrees: boolean }) {
   const time = useSlowTime();
-  return (
-    <span class="number">
-      {formatShort(at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1), 4)}
-    </span>
-  );
+  return <span class="number">{formatShort(values(c.name).at(time) * shownFactor(c, degrees), 4)}</span>;
 }
 
 /** The same in numbers, for those who read rather than see. */
@@ -321,7 +318,7 @@ function ValueTable({
   values,
   range,
   degrees,
-}: PaneProps & { info: readonly ColumnInfo[]; degrees: boolean }) {
+}: PaneProps & { info: readonly Column[]; degrees: boolean }) {
   const [from, to] = limits(motion, range.value, pane.to);
   const times = Array.from({ length: 21 }, (_, i) => from + ((to - from) * i) / 20);
   const list = pane.x === 't' ? info.slice(1) : info;
@@ -334,7 +331,7 @@ function ValueTable({
             <th scope="col">t, s</th>
             {list.map((c) => (
               <th key={c.name} scope="col">
-                {c.name} {unitOf([c], degrees)}
+                {c.name} {unitsOf([c], degrees)}
               </th>
             ))}
           </tr>
@@ -344,12 +341,7 @@ function ValueTable({
             <tr key={time}>
               <th scope="row">{formatTime(time)}</th>
               {list.map((c) => (
-                <td key={c.name}>
-                  {formatShort(
-                    at(motion.trajectory, values(c.name).get(), time) * (c.angle && degrees ? 1 / DEGREE : 1),
-                    6,
-                  )}
-                </td>
+                <td key={c.name}>{formatShort(values(c.name).at(time) * shownFactor(c, degrees), 6)}</td>
               ))}
             </tr>
           ))}
@@ -365,7 +357,7 @@ function Spent({ pane, motion, values }: Pick<PaneProps, 'pane' | 'motion' | 'va
   if (!pane.y.includes('power')) return null;
   return (
     <p class="hint" data-testid="plot-spent">
-      {text.spent(formatShort(energySpent(motion.trajectory, values('power').get(), time), 4))}
+      {text.spent(formatShort(values('work').at(time), 4))}
     </p>
   );
 }

@@ -1,8 +1,8 @@
 /** Which plots stand there: the person's own, those of the case, or what suits the motion. */
 import type { Motion, PlotPane, PlotsState } from '../../app/types.ts';
+import { columnsOf } from '../../core/motion/columns.ts';
 import { cases } from '../../core/systems/registry.ts';
 import { text } from './words.ts';
-import { columnsOf } from './columns.ts';
 
 /** What the plots belong to: another case or system brings its own. */
 export const keyOf = (motion: Motion, caseId: string): string =>
@@ -18,7 +18,7 @@ export function suggested(motion: Motion, caseId: string): readonly PlotPane[] {
     motion.source === 'run'
       ? cases.find((c) => c.id === caseId && c.scenario.system === motion.system.meta.id)
       : undefined;
-  const names = new Set(columnsOf(motion).map((c) => c.name));
+  const names = new Set(columnsOf(motion.system, motion.trajectory.columns).map((c) => c.name));
   const ofCase = (found?.plots ?? []).map((p): PlotPane => ({
     title: p.title,
     x: p.x,

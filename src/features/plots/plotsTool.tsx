@@ -6,7 +6,8 @@ import { text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { useDeferred, useLagging } from '../../ui/kit/deferred.ts';
-import { columnsOf, Values, type ColumnInfo } from './columns.ts';
+import { columnsOf, type Column } from '../../core/motion/columns.ts';
+import { valuesOf } from '../../core/motion/columnValues.ts';
 import { PaneView } from './paneView.tsx';
 import { keyOf, panesOf, suggested } from './panes.ts';
 import './plots.css';
@@ -24,10 +25,10 @@ function Plots({ motion }: { motion: Motion }) {
   const plots = state.plots.value;
   const panes = panesOf(motion, caseId, plots);
   const range = useSignal<readonly [number, number] | null>(null);
-  const values = useValues(motion);
+  const values = (name: string) => valuesOf(motion, name, state.plots.peek().wrapped);
   useLayoutEffect(() => void (range.value = null), [motion.id]);
-  const listed = JSON.stringify(columnsOf(motion));
-  const columns = useMemo(() => JSON.parse(listed) as ColumnInfo[], [listed]);
+  const listed = JSON.stringify(columnsOf(motion.system, motion.trajectory.columns, motion.constraints !== null));
+  const columns = useMemo(() => JSON.parse(listed) as Column[], [listed]);
   const choices = useLagging(columns);
   const own = plots.own?.key === keyOf(motion, caseId);
   const change = (next: readonly PlotPane[]) => {
@@ -99,17 +100,4 @@ function Plots({ motion }: { motion: Motion }) {
       )}
     </div>
   );
-}
-
-/** Values by column, kept while the motion is the same. */
-function useValues(motion: Motion): (name: string) => Values {
-  const { state } = useUi().app;
-  const kept = useMemo(() => new Map<string, Values>(), [motion.id]);
-  return (name) => {
-    const { wrapped } = state.plots.peek();
-    const key = `${name} ${wrapped}`;
-    let found = kept.get(key);
-    if (!found) kept.set(key, (found = new Values(motion, name, wrapped)));
-    return found;
-  };
 }

@@ -4,8 +4,8 @@ import type { App } from '../../app/types.ts';
 import { plotSheet } from '../../charts/svgPlot.ts';
 import { token } from '../../charts/tokens.ts';
 import { writeCsv } from '../../csv/csv.ts';
-import type { ColumnInfo } from './columns.ts';
-import { curvesOf, limits, unitOf } from './drawing.ts';
+import { unitsOf, type Column } from '../../core/motion/columns.ts';
+import { curvesOf, limits } from './drawing.ts';
 import type { PaneProps } from './paneView.tsx';
 import { stylesOf } from './style.ts';
 
@@ -30,7 +30,7 @@ export function savePng(host: HTMLElement, title: string): void {
 }
 
 /** Lines as lines, on white. */
-export function saveSvg(props: PaneProps, app: App, infoOf: (name: string) => ColumnInfo): void {
+export function saveSvg(props: PaneProps, app: App, infoOf: (name: string) => Column): void {
   const { pane } = props;
   const { degrees } = app.state.plots.peek();
   const styles = stylesOf(pane.y.map(infoOf));
@@ -41,8 +41,8 @@ export function saveSvg(props: PaneProps, app: App, infoOf: (name: string) => Co
     {
       title: pane.title,
       equal: pane.equal,
-      xLabel: `${pane.x}${x.unit ? `, ${unitOf([x], degrees)}` : ''}`,
-      yLabel: unitOf(pane.y.map(infoOf), degrees),
+      xLabel: `${pane.x}${x.unit ? `, ${unitsOf([x], degrees)}` : ''}`,
+      yLabel: unitsOf(pane.y.map(infoOf), degrees),
       lines: curves.map((c, i) => ({ label: labels[i] ?? '', x: c.x, y: c.y })),
     },
   ]);

@@ -1,5 +1,5 @@
 import { token } from '../../charts/tokens.ts';
-import type { ColumnInfo } from './columns.ts';
+import type { Column } from '../../core/motion/columns.ts';
 
 /** Told apart by colour-blind people too, and by their dashes. Front is orange and back is blue, as everywhere. */
 const OTHERS = ['#009e73', '#cc79a7', '#8a8f98', '#a6761d', '#7570b3', '#17a2b8'];
@@ -11,7 +11,7 @@ export interface CurveStyle {
 }
 
 /** A style for each curve of a pane: the colour of its part, a dash of its own among those of one colour. */
-export function stylesOf(columns: readonly ColumnInfo[]): CurveStyle[] {
+export function stylesOf(columns: readonly Column[]): CurveStyle[] {
   const used = new Map<string, number>();
   let other = 0;
   return columns.map(({ part }) => {

@@ -1,18 +1,14 @@
 /** Words of the plots. */
 export const text = {
   title: 'Plots',
-  time: 'time',
-  energy: 'energy',
-  residual: 'constraint residual',
-  power: 'power of the inputs',
-  rateOf: (label: string) => `rate of ${label}`,
-  force: (part: string, way: string) => `${part} wheel, ${way} force`,
   groups: {
     coordinates: 'Coordinates',
     rates: 'Rates',
+    computed: 'Computed',
+    energy: 'Energy and power',
     inputs: 'Inputs',
-    multipliers: 'Constraint forces',
-    derived: 'Worked out',
+    forces: 'Constraint forces',
+    bodies: 'Places of bodies',
     other: 'Other',
   },
   empty: 'Run a case or open a file: its curves stand here.',

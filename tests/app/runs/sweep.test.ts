@@ -110,7 +110,7 @@ describe('measures', () => {
       { kind: 'seconds' },
       { kind: 'steps' },
       { kind: 'work' },
-      { kind: 'transport' },
+      { kind: 'costOfTransport' },
       { kind: 'end', column: 'nothing' },
     ]);
     const [end, max, min, distance, time, seconds, steps, work, transport, nothing] = values;
@@ -141,7 +141,7 @@ describe('measures', () => {
       duration: 2,
       outputStep: 0.001,
     });
-    const measures: SweepMeasure[] = [{ kind: 'work' }, { kind: 'transport' }, { kind: 'distance' }];
+    const measures: SweepMeasure[] = [{ kind: 'work' }, { kind: 'costOfTransport' }, { kind: 'distance' }];
     const { values, run } = measure(drive('0.5'), measures);
     const energy = run.columns.get('energy')!;
     expect(values[0]).toBeCloseTo(energy[energy.length - 1]! - energy[0]!, 6);
@@ -156,7 +156,7 @@ describe('measures', () => {
 
   test('ask a run for the columns they need and no others', () => {
     expect(extrasFor([{ kind: 'end', column: 'X' }, { kind: 'drift' }])).toEqual([]);
-    expect(extrasFor([{ kind: 'max', column: 'lambda_2' }, { kind: 'transport' }])).toEqual(['lambda', 'inputs']);
+    expect(extrasFor([{ kind: 'max', column: 'lambda_2' }, { kind: 'costOfTransport' }])).toEqual(['lambda', 'inputs']);
     expect(
       extrasFor([
         { kind: 'max', column: 'tau_fc' },

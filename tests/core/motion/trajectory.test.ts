@@ -54,17 +54,29 @@ test('interpolation takes the shorter arc and keeps its ends', () => {
 });
 
 test('a recorded angle that jumps by a full turn makes no body spin between its rows', () => {
-  const sampler = new MotionSampler(
-    ripstikView,
-    defaults,
-    motion([
-      [0, { theta: 3.1 }],
-      [1, { theta: 3.2 - 2 * Math.PI }],
-    ]),
-    null,
-  );
+  const trajectory = motion([
+    [0, { theta: 3.1 }],
+    [1, { theta: 3.2 - 2 * Math.PI }],
+  ]);
+  trajectory.recorded = true;
+  const sampler = new MotionSampler(ripstikView, defaults, trajectory, null);
   sampler.sample(0.5);
   expect(Math.cos(Math.atan2(sampler.poses[6]!, sampler.poses[3]!) - 3.15)).toBeCloseTo(1, 12);
+});
+
+test('a computed angle goes its own way between rows, however far, in numbers as in the picture', () => {
+  const trajectory = motion([
+    [0, { theta: 0 }],
+    [1, { theta: 8 }],
+  ]);
+  const sampler = new MotionSampler(ripstikView, defaults, trajectory, null);
+  sampler.sample(0.5);
+  expect(sampler.interpolated('theta', 0.5)).toBeCloseTo(4, 12);
+  expect(Math.cos(Math.atan2(sampler.poses[6]!, sampler.poses[3]!) - 4)).toBeCloseTo(1, 12);
+  trajectory.recorded = true;
+  sampler.sample(0.5);
+  const turned = sampler.interpolated('theta', 0.5)!;
+  expect(Math.cos(Math.atan2(sampler.poses[6]!, sampler.poses[3]!) - turned)).toBeCloseTo(1, 12);
 });
 
 test('wheels turn with the distance rolled, and backwards when it goes backwards', () => {

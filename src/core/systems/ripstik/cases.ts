@@ -302,8 +302,8 @@ export const ripstikCases: readonly Case[] = [
         source: 'What the gait was made for',
       },
       {
-        what: 'cost of transport',
-        measure: { kind: 'transport', spent: 'net', x: 'X', y: 'Y', from: 20, to: 30 },
+        what: 'energy per metre',
+        measure: { kind: 'energyPerMetre', spent: 'net', x: 'X', y: 'Y', from: 20, to: 30 },
         value: 1,
         unit: 'J/m',
         tolerance: 0.1,

@@ -22,6 +22,10 @@ export const ripstikMeta = {
     { name: 'theta_fc', symbol: 'θ_fc', label: 'front caster steer', kind: 'angle', part: 'front' },
     { name: 'theta_bc', symbol: 'θ_bc', label: 'back caster steer', kind: 'angle', part: 'back' },
   ],
+  sums: [
+    { name: 'rho_f', symbol: 'ρ_f', label: 'front plate, own roll', of: ['alpha', 'alpha_fp'], part: 'front' },
+    { name: 'rho_b', symbol: 'ρ_b', label: 'back plate, own roll', of: ['alpha', 'alpha_bp'], part: 'back' },
+  ],
   parameters: [
     {
       name: 'rodMass',

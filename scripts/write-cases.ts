@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { cases } from '../src/core/systems/registry.ts';
 import type { Case, CasePlot } from '../src/core/cases/case.ts';
-import { caseColumns, measured } from '../src/core/cases/measures.ts';
+import { caseColumns, measured } from '../src/core/motion/caseMeasures.ts';
 import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { compileExpression } from '../src/core/scenario/expressions.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';

@@ -1,7 +1,7 @@
 // Every built-in case runs, ends as it should, and meets the numbers that are known about it.
 import { describe, expect, test } from 'vitest';
 import { cases } from '../../src/core/systems/registry.ts';
-import { caseColumns, measured } from '../../src/core/cases/measures.ts';
+import { caseColumns, measured } from '../../src/core/motion/caseMeasures.ts';
 import { methodSets } from '../../src/core/cases/methodSets.ts';
 import { compileExpression } from '../../src/core/scenario/expressions.ts';
 import { systems } from '../../src/core/systems/all.ts';

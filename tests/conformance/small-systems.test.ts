@@ -1,7 +1,7 @@
 // Known answers of the small systems: closed forms, conserved quantities, published numbers recomputed elsewhere.
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { caseColumns, measured } from '../../src/core/cases/measures.ts';
+import { caseColumns, measured } from '../../src/core/motion/caseMeasures.ts';
 import { controlReport } from '../../src/core/control/design/report.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { ScenarioError } from '../../src/core/scenario/types.ts';

@@ -31,7 +31,7 @@ const CORE: Table = {
   cases: ['linalg', 'model', 'scenario'],
   systems: ['model', 'geometry', 'cases'],
   simulation: ['linalg', 'model', 'integrators', 'mechanics', 'scenario'],
-  motion: ['model', 'cases', 'simulation'],
+  motion: ['linalg', 'model', 'cases', 'simulation'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
 };
 /** Packages that one folder alone imports. */

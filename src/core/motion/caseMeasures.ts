@@ -1,7 +1,7 @@
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import { recipeOf } from '../motion/recipes.ts';
+import { recipeOf } from './recipes.ts';
 import type { SystemView } from '../model/system.ts';
-import type { Measure } from './case.ts';
+import type { Measure } from '../cases/case.ts';
 
 /** Recorded columns by name, or undefined where there is none. */
 export type Columns = (name: string) => Float64Array | undefined;

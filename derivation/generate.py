@@ -1,181 +1,183 @@
-"""From a model to the text of one TypeScript module."""
+"""From a model to the texts of its TypeScript modules."""
 
 import sympy as sp
 
 from . import typeset
-from .constraints import Constraints
 from .model import Model
-from .tape import Tape, differentiate, record
-from .typescript import HEADER, function
-
-# V8's optimising compiler gives a function up above 61,440 bytes of bytecode; about 3,000
-# operations are safely below. Jacobians are written in groups of columns that stay under this.
-MOST_OPERATIONS = 2200
+from .recorder import Recorder
+from .sharing import KEPT, Unit, columns, share
+from .tape import Tape
+from .typescript import HEADER, Writer, caller
 
 
 def modules(model: Model, source: str) -> dict:
     """{file name: text}. Poses stand alone: the page draws with them and needs no dynamics."""
     source = source.replace("-", "_")
-    inputs = {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)}
-    n = len(model.q)
-    header = HEADER.format(title=model.title, source=source)
-    equations = [header, *mechanics(model, inputs, n), energy(model, inputs)]
-    if model.rate is None:
-        equations.append(pose_jacobian(model, inputs))
-    if model.rate is not None:
-        equations += first_order(model, inputs, n)
-    for name, force in model.extra_forces:
-        equations += extra_force(name, force, model, inputs, n)
-    for constraints in model.constraints:
-        equations += constraint_set(constraints, model, inputs, n)
-    return {"equations.generated.ts": "\n".join(equations), "poses.generated.ts": "\n".join([header, poses(model, inputs)]),
+    head = lambda what: HEADER.format(what=what, title=model.title, source=source)
+    return {"equations.generated.ts": "\n".join([head("Expressions"), *Equations(model).texts()]),
+            "poses.generated.ts": "\n".join([head("Poses"), poses(model)]),
             "typeset.generated.json": typeset.text(model)}
 
 
-def symmetric_targets(n):
-    return {("M", i, j): sorted({i * n + j, j * n + i}) for i in range(n) for j in range(i + 1)}
+def poses(model) -> str:
+    tape, record, writer = opened(model)
+    outputs = record.all(pose_entries(model))
+    return writer.function("poses", "Per body: position, then rotation matrix by rows (body to world).", ["q", "p", "out"],
+                           assigned("out", outputs), {"out": 12 * len(model.bodies)})
 
 
-def mechanics_outputs(model, n):
-    M, h = model.equations.M, model.equations.h
-    outputs = {("M", i, j): M[i, j] for i in range(n) for j in range(i + 1)}
-    outputs |= {("h", i): h[i] for i in range(n)}
-    targets = {k: [("massMatrix", t) for t in ts] for k, ts in symmetric_targets(n).items()}
-    targets |= {("h", i): [("h", i)] for i in range(n)}
-    return outputs, targets
-
-
-def mechanics(model, inputs, n):
-    M, h = model.equations.M, model.equations.h
-    outputs, targets = mechanics_outputs(model, n)
-    text = function("mechanics", f"Mass matrix ({n} x {n}) and h ({n}) of M a = h.", ["q", "v", "p", "massMatrix", "h"],
-                    inputs, record(outputs, model.definitions), targets, {"massMatrix": n * n, "h": n})
-    a = sp.symbols(f"a0:{n}", real=True)
-    residual = M * sp.Matrix(a) - h
-    tape = record({("r", i): residual[i] for i in range(n)}, model.definitions)
-    return [text, *jacobian("jacobians", "M a - h", tape, {"dq": model.q, "dv": model.v}, {"r": ("", n)},
-                            ["q", "v", "a", "p"], inputs | {"a": list(a)}, n)]
-
-
-def extra_force(name, force, model, inputs, n):
-    tape = record({("f", i): force[i] for i in range(n)})
-    targets = {("f", i): [("force", i)] for i in range(n)}
-    text = function(f"{name}Force", f"Generalized force of {name} ({n}).", ["q", "v", "p", "force"], inputs, tape,
-                    targets, {"force": n})
-    return [text, *jacobian(f"{name}Jacobians", f"the force of {name}", tape, {"dq": model.q, "dv": model.v},
-                            {"f": ("", n)}, ["q", "v", "p"], inputs, n)]
-
-
-def first_order(model, inputs, n):
-    slope = model.rate.jacobian(model.q)
-    rate = function("rate", f"f ({n}) of q' = f(q).", ["q", "p", "out"], inputs, record({i: e for i, e in enumerate(model.rate)}),
-                    {i: [("out", i)] for i in range(n)}, {"out": n})
-    return [rate, function("rateJacobian", f"df/dq ({n} x {n}).", ["q", "p", "out"], inputs,
-                           record({i: e for i, e in enumerate(slope)}), {i: [("out", i)] for i in range(n * n)},
-                           {"out": n * n})]
-
-
-def energy(model, inputs):
-    tape = record({"kinetic": model.kinetic, "potential": model.potential})
-    return function("energy", "[kinetic, potential] in J.", ["q", "v", "p", "out"], inputs, tape,
-                    {"kinetic": [("out", 0)], "potential": [("out", 1)]}, {"out": 2})
-
-
-def pose_outputs(model):
+def pose_entries(model) -> dict:
     """{position in the array of poses: expression}."""
     entries = [list(body.centre.position()) + list(body.frame.R) for body in model.bodies]
     return {12 * b + i: e for b, body in enumerate(entries) for i, e in enumerate(body)}
 
 
-def poses(model, inputs):
-    outputs = pose_outputs(model)
-    return function("poses", "Per body: position, then rotation matrix by rows (body to world).", ["q", "p", "out"],
-                    inputs, record(outputs), {i: [("out", i)] for i in outputs}, {"out": len(outputs)})
+def opened(model, definitions=(), **more):
+    """An empty tape over q, v, p and more {array: symbols}, with what writes on it and what writes it down."""
+    inputs = {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)} | more
+    tape = Tape()
+    names = {array: [s.name for s in symbols] for array, symbols in inputs.items()}
+    return tape, Recorder(tape, inputs, definitions), Writer(tape, names)
 
 
-def pose_jacobian(model, inputs):
-    outputs, n = pose_outputs(model), len(model.q)
-    derived = differentiate(record(outputs), dict(enumerate(model.q)))
-    return function("poseJacobian", f"Derivatives of `poses` by q ({len(outputs)} x {n}).", ["q", "p", "out"], inputs, derived,
-                    {(i, k): [("out", i * n + k)] for i, k in derived.outputs}, {"out": len(outputs) * n})
+def assigned(array, values: dict) -> list:
+    """[(text that is assigned, value)] of values by position."""
+    return [(f"{array}[{i}]", values[i]) for i in sorted(values)]
 
 
-def constraint_set(c: Constraints, model, inputs, n):
-    q, v, m = model.q, model.v, c.Omega.rows
-    name = c.id
-    outputs = {("O", i, j): c.Omega[i, j] for i in range(m) for j in range(n)}
-    gamma = c.rate(q, v)
-    outputs |= {("g", i): gamma[i] for i in range(m)}
-    targets = {("O", i, j): [("omega", i * n + j)] for i in range(m) for j in range(n)}
-    targets |= {("g", i): [("gamma", i)] for i in range(m)}
-    together_outputs, together_targets = mechanics_outputs(model, n)
-    together = function(f"{name}Dynamics", f"`mechanics` and `{name}Constraints` at once, for less than both.",
-                        ["q", "v", "p", "massMatrix", "h", "omega", "gamma"], inputs,
-                        record(together_outputs | outputs, model.definitions), together_targets | targets,
-                        {"massMatrix": n * n, "h": n, "omega": m * n, "gamma": m})
-    evaluate = function(f"{name}Constraints", f"Omega ({m} x {n}) and gamma = Omega_dot v ({m}).",
-                        ["q", "v", "p", "omega", "gamma"], inputs, record(outputs, model.definitions), targets,
-                        {"omega": m * n, "gamma": m})
-    heights = [function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p", "out"],
-                       inputs, record({i: h for i, h in enumerate(c.heights)}),
-                       {i: [("out", i)] for i in range(len(c.heights))}, {"out": len(c.heights)})]
+class Equations:
+    """Every function of one system but the poses, on one tape, so that nothing is written twice."""
 
-    a, lam = sp.symbols(f"a0:{n}", real=True), sp.symbols(f"lambda0:{m}", real=True)
-    force, rate, velocity = c.Omega.T * sp.Matrix(lam), c.Omega * sp.Matrix(a) + gamma, c.Omega * v
-    tape = record({("force", i): force[i] for i in range(n)} | {("velocity", i): velocity[i] for i in range(m)}
-                  | {("rate", i): rate[i] for i in range(m)}, model.definitions)
-    kinds = {"force": ("force", n), "rate": ("rate", m), "velocity": ("velocity", m)}
-    return [evaluate, together, *(heights if len(c.heights) > 0 else []),
-            *jacobian(f"{name}Jacobians", "Omega^T lambda, Omega a + gamma and Omega v", tape, {"Q": q, "V": v}, kinds,
-                      ["q", "v", "a", "lambda", "p"], inputs | {"a": list(a), "lambda": list(lam)}, n,
-                      keep=("forceQ", "rateQ", "rateV", "velocityQ"))]
+    def __init__(self, model: Model):
+        self.model, self.n = model, len(model.q)
+        m = max((c.Omega.rows for c in model.constraints), default=0)
+        self.a, self.lam = (list(sp.symbols(f"{letter}0:{size}", real=True)) for letter, size in (("a", self.n), ("lambda", m)))
+        self.tape, self.record, self.writer = opened(model, model.definitions, a=self.a, **{"lambda": self.lam})
+        self.units = []
+        # Functions that others call: (name, doc, its arrays, units that it runs, arrays that it empties first).
+        self.public = []
+        self.alone = []
 
+    def texts(self) -> list:
+        model = self.model
+        self.mechanics()
+        self.function("energy", "[kinetic, potential] in J.", ["q", "v", "p"], {"out": (2, self.record.all({0: model.kinetic, 1: model.potential}))})
+        if model.rate is None:
+            self.pose_jacobian()
+        else:
+            self.first_order()
+        for name, force in model.extra_forces:
+            self.extra_force(name, force)
+        for constraints in model.constraints:
+            self.constraint_set(constraints)
+        return self.written()
 
-def jacobian(name, what, tape, wrt, kinds, arguments, inputs, n, keep=None):
-    """Exact Jacobians of a tape's outputs, in as many functions as the size asks for, and one that calls them all.
+    def function(self, name, doc, reads, writes, family=None):
+        """A function of one unit, which shares with others if it has a family; writes {array: (size, values by position)}."""
+        outputs = [pair for array, (_, values) in writes.items() for pair in assigned(array, values)]
+        sizes = {array: size for array, (size, _) in writes.items()}
+        if family is None:
+            self.alone.append(self.writer.function(name, doc, [*reads, *writes], outputs, sizes))
+            return None
+        unit = self.unit(f"{name}Rest", family, f"What `{name}` does not share.", outputs, sizes)
+        self.public.append((name, doc, [*reads, *writes], [unit], ()))
+        return unit
 
-    wrt {suffix: symbols}; kinds {first part of an output's name: (prefix of the array, rows)}.
-    """
-    directions = {f"{suffix}{i}": s for suffix, symbols in wrt.items() for i, s in enumerate(symbols)}
-    derived = differentiate(tape, directions)
-    sizes, targets = {}, {}
-    for kind, (prefix, rows) in kinds.items():
-        for suffix, symbols in wrt.items():
-            array = f"{prefix}{suffix}"
-            if keep and array not in keep:
+    def unit(self, name, family, doc, outputs, sizes, slope=False) -> Unit:
+        unit = Unit(name, family, slope, outputs, doc, sizes)
+        self.units.append(unit)
+        return unit
+
+    def jacobian(self, name, family, doc, reads, outputs, wrt, arrays):
+        """Exact Jacobians of outputs {(kind, row): value}; wrt {suffix: inputs}; arrays {kind + suffix: (name, rows)}."""
+        directions = {(suffix, k): value for suffix, values in wrt.items() for k, value in enumerate(values)}
+        derived = self.tape.differentiate(outputs, directions)
+        kept = {key: value for key, value in derived.items() if key[0][0] + key[1][0] in arrays and value.number != 0}
+        sizes = {array: rows * self.n for array, rows in arrays.values()}
+        groups = columns(self.tape, kept, directions) or [[]]
+        parts = []
+        for g, group in enumerate(groups):
+            written = [(f"{arrays[kind + suffix][0]}[{row * self.n + k}]", value) for ((kind, row), (suffix, k)), value in group]
+            parts.append(self.unit(f"{name}{g}", family, f"Columns of `{name}`.", written, sizes if len(groups) == 1 else {}, slope=True))
+        self.public.append((name, doc, [*reads, *sizes], parts, list(sizes) if len(groups) > 1 else ()))
+
+    def mechanics(self):
+        n, e = self.n, self.model.equations
+        M = self.record.all({(i, j): e.M[i, j] for i in range(n) for j in range(i + 1)})
+        h = self.record.all({i: e.h[i] for i in range(n)})
+        entries = {at: value for (i, j), value in M.items() for at in {i * n + j, j * n + i}}
+        self.mass = self.function("mechanics", f"Mass matrix ({n} x {n}) and h ({n}) of M a = h.", ["q", "v", "p"],
+                                  {"massMatrix": (n * n, entries), "h": (n, h)}, "mechanics")
+        residual = self.record.all({("", i): x for i, x in enumerate(e.M * sp.Matrix(self.a) - e.h)})
+        self.jacobian("jacobians", "mechanics", "Exact Jacobians of M a - h (row-major).", ["q", "v", "a", "p"], residual,
+                      self.by("q", "v"), {"q": ("dq", n), "v": ("dv", n)})
+
+    def by(self, *arrays):
+        return {array: [self.tape.input(array, k) for k in range(self.n)] for array in arrays}
+
+    def pose_jacobian(self):
+        outputs = self.record.all(pose_entries(self.model))
+        derived = self.tape.differentiate(outputs, dict(enumerate(self.by("q")["q"])))
+        size = 12 * len(self.model.bodies) * self.n
+        self.function("poseJacobian", f"Derivatives of `poses` by q ({12 * len(self.model.bodies)} x {self.n}).", ["q", "p"],
+                      {"out": (size, {i * self.n + k: value for (i, k), value in derived.items() if value.number != 0})})
+
+    def first_order(self):
+        n, rate = self.n, self.model.rate
+        self.function("rate", f"f ({n}) of q' = f(q).", ["q", "p"], {"out": (n, self.record.all(dict(enumerate(rate))))})
+        self.function("rateJacobian", f"df/dq ({n} x {n}).", ["q", "p"],
+                      {"out": (n * n, self.record.all(dict(enumerate(rate.jacobian(self.model.q)))))})
+
+    def extra_force(self, name, force):
+        values, n = self.record.all(dict(enumerate(force))), self.n
+        self.function(f"{name}Force", f"Generalized force of {name} ({n}).", ["q", "v", "p"], {"force": (n, values)})
+        self.jacobian(f"{name}Jacobians", name, f"Exact Jacobians of the force of {name} (row-major).", ["q", "v", "p"],
+                      {("", i): value for i, value in values.items()}, self.by("q", "v"), {"q": ("dq", n), "v": ("dv", n)})
+
+    def constraint_set(self, c):
+        model, n, m, name = self.model, self.n, c.Omega.rows, c.id
+        gamma = c.rate(model.q, model.v)
+        rows = self.function(f"{name}Constraints", f"Omega ({m} x {n}) and gamma = Omega_dot v ({m}).", ["q", "v", "p"],
+                             {"omega": (m * n, self.record.all(dict(enumerate(c.Omega)))), "gamma": (m, self.record.all(dict(enumerate(gamma))))}, name)
+        self.public.append((f"{name}Dynamics", f"`mechanics` and `{name}Constraints` at once, for less than both.",
+                            ["q", "v", "p", "massMatrix", "h", "omega", "gamma"], [self.mass, rows], ()))
+        if len(c.heights) > 0 and not self.has_heights(c.heights):
+            self.function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p"],
+                          {"out": (len(c.heights), self.record.all(dict(enumerate(c.heights))))})
+        a, lam = sp.Matrix(self.a), sp.Matrix(self.lam[:m])
+        kinds = {"force": c.Omega.T * lam, "rate": c.Omega * a + gamma, "velocity": c.Omega * model.v}
+        outputs = self.record.all({(kind, i): x for kind, column in kinds.items() for i, x in enumerate(column)})
+        self.jacobian(f"{name}Jacobians", name, "Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major).",
+                      ["q", "v", "a", "lambda", "p"], outputs, self.by("q", "v"),
+                      {"forceq": ("forceQ", n), "rateq": ("rateQ", m), "ratev": ("rateV", m), "velocityq": ("velocityQ", m)})
+
+    def has_heights(self, heights) -> bool:
+        """Whether another constraint set has written the same ones already."""
+        seen, self._heights = getattr(self, "_heights", None), heights
+        return seen == heights
+
+    def written(self) -> list:
+        """Shared functions first, then the units, then the functions that others call."""
+        shared, loads = share(self.tape, self.units)
+        arrays = {}
+        whole = {units[0].name: (name, doc, given) for name, doc, given, units, _ in self.public if len(units) == 1 and not units[0].needs}
+        kept = [f"/** What several functions need, from one to the next. */\nconst {KEPT} = new Float64Array({len(loads)});\n"] if loads else []
+        parts = []
+        for part, doc, own in [*((s, "Kept for several functions.", s.loads) for s in shared), *((u, u.doc, loads) for u in self.units)]:
+            name, doc, arrays[part.name] = whole.get(part.name, (part.name, doc, self.arrays(part, own)))
+            parts.append(self.writer.function(name, doc, arrays[part.name], part.outputs, part.sizes, own, exported=part.name in whole))
+        public = []
+        for name, doc, given, units, emptied in self.public:
+            if units[0].name in whole and len(units) == 1:
                 continue
-            sizes[array] = rows * n
-            for i in range(rows):
-                for k in range(len(symbols)):
-                    targets[((kind, i), f"{suffix}{k}")] = [(array, i * n + k)]
-    derived = derived.only([key for key in derived.outputs if key in targets])
-    arrays = list(sizes)
-    texts, calls = [], []
-    for g, (labels, part_tape) in enumerate(grouped(derived, list(directions))):
-        part = f"{name}{g}"
-        texts.append(function(part, f"Directions {', '.join(labels)} of `{name}`.", arguments + arrays, inputs,
-                              part_tape, targets, sizes, clear=False))
-        calls.append(f"  {part}({', '.join(arguments + arrays)});")
-    head = "\n".join([f"/** Exact Jacobians of {what} (row-major). */", f"export function {name}(",
-                      f"  {', '.join(f'{a}: Float64Array' for a in arguments + arrays)},", "): void {"]
-                     + [f"  {a}.fill(0);" for a in arrays] + calls + ["}", ""])
-    return texts + [head]
+            needed = {n for unit in units for n in unit.needs}
+            called = [*(s.name for s in shared if s.name in needed), *(unit.name for unit in units)]
+            public.append(caller(name, doc, given, [(whole[part][0] if part in whole else part, arrays[part]) for part in called], emptied))
+        return [*kept, *parts, *self.alone, *public]
 
-
-def grouped(tape: Tape, labels):
-    """Columns gathered greedily into tapes of at most MOST_OPERATIONS: [(labels, tape)].
-
-    Bytecode grows with operations and with local names, which take longer instructions when there are many.
-    """
-    by_label = {label: [k for k in tape.outputs if k[1] == label] for label in labels}
-    by_label = {label: keys for label, keys in by_label.items() if keys}
-    groups, current = [], []
-    for label in by_label:
-        trial = tape.only([k for each in current + [label] for k in by_label[each]])
-        if current and trial.operations() > MOST_OPERATIONS:
-            groups.append(current)
-            current = []
-        current = current + [label]
-    if current:
-        groups.append(current)
-    return [(g, tape.only([k for label in g for k in by_label[label]])) for g in groups]
+    def arrays(self, part, loads) -> list:
+        """Those that a part reads, then those that it writes, by name."""
+        ops = self.tape.ops
+        read = {ops[i][1] for i in self.tape.reached([value for _, value in part.outputs], loads) if ops[i][0] == "input"}
+        written = dict.fromkeys([*(target.split("[")[0] for target, _ in part.outputs), *part.sizes])
+        return [*(array for array in self.writer.names if array in read), *(array for array in written if array != KEPT)]

@@ -79,7 +79,7 @@ def model() -> Model:
     described = board(q, alpha + alpha_fp, alpha + alpha_bp)
     V = potential(described.bodies, p["gravity"]) + p["torsionStiffness"] * (alpha_fp - alpha_bp)**2 / 2
     names = Names()
-    equations, rolling, report = hot_path(names)
+    equations, rolling, report, drag = by_recursion(names)
     skates = [(point, frame.relative_to(described.pitched) * AXLE) for point, frame in described.skates]
     heights = sp.Matrix([point.position()[2] for point, _ in skates])
     return Model(
@@ -87,13 +87,13 @@ def model() -> Model:
         equations=equations, kinetic=kinetic(described.bodies, q, v), potential=V, bodies=described.bodies,
         constraints=(Constraints("rolling", rolling[0], heights, (1, 3), rolling[1]),
                      Constraints("report", report[0], heights, (1, 3), report[1])),
-        extra_forces=(("wheelDrag", wheel_drag(skates, described.pitched)),),
+        extra_forces=(("wheelDrag", drag),),
         definitions=tuple(names.definitions), notation=notation(described, skates),
     )
 
 
-def hot_path(names):
-    """M, h and both constraint sets, derived in plates' own rolls phi = alpha + alpha_fp, alpha + alpha_bp.
+def by_recursion(names):
+    """M and h, both constraint sets and the wheel drag, derived in plates' own rolls phi = alpha + alpha_fp, alpha + alpha_bp.
 
     With q' = T q the columns of alpha are sums of others, so that nothing of a plate is computed twice:
     M = T^T M' T, h = T^T h', Omega = Omega' T.
@@ -118,7 +118,12 @@ def hot_path(names):
         four = (sideways[0], vertical[0], sideways[1], vertical[1])
         return sp.Matrix.vstack(*[names.let("O", r) for r, _ in four]) * T, sp.Matrix([gamma for _, gamma in four])
 
-    return Equations(T.T * names.let("M", free.M) * T, h), rows(lateral), rows(world_y)
+    drag = sp.zeros(10, 1)
+    for point, frame in b.skates:
+        heading = level_heading(tree.carrier(b.pitched) * outwards(tree, frame, b.pitched))
+        along = names.let("D", heading.T * (point.base.jacobian(own) + recursion.world_jacobian(tree, point))) * T
+        drag -= p["wheelDrag"] * along.T * (along * v)
+    return Equations(T.T * names.let("M", free.M) * T, h), rows(lateral), rows(world_y), drag
 
 
 def outwards(tree, frame, carrier):
@@ -156,8 +161,7 @@ def printed_drag(described, skates) -> dict:
     """The wheel drag with its headings, in words of vectors."""
     formulas, texts, total = [], [], sp.zeros(10, 1)
     for sub, (point, axle), body in zip(("fc", "bc"), skates, described.bodies[3:]):
-        e = described.pitched.R * axle
-        heading = sp.Matrix([e[1], -e[0], 0]) / sp.sqrt(e[0] ** 2 + e[1] ** 2)
+        heading = level_heading(described.pitched.R * axle)
         h, r, J = mark(f"e.{body.name}"), mark(f"v.{body.name}"), point.jacobian(q)
         axle_text = rf"{mark(f'R.{body.name}')}\, \mathbf e_y"
         across = (body.frame.R * AXLE).cross(sp.Matrix([0, 0, 1]))
@@ -180,6 +184,11 @@ def springs_and_losses() -> sp.Matrix:
     return force
 
 
+def level_heading(axle) -> sp.Matrix:
+    """Horizontal direction across an axle given in world axes."""
+    return sp.Matrix([axle[1], -axle[0], 0]) / sp.sqrt(axle[0] ** 2 + axle[1] ** 2)
+
+
 def wheel_drag(skates, pitched) -> sp.Matrix:
     """Viscous drag at each skate along its horizontal heading e_y x z, normalised.
 
@@ -188,8 +197,6 @@ def wheel_drag(skates, pitched) -> sp.Matrix:
     """
     force = sp.zeros(10, 1)
     for point, axle in skates:
-        e = pitched.R * axle
-        heading = sp.Matrix([e[1], -e[0], 0]) / sp.sqrt(e[0] ** 2 + e[1] ** 2)
-        row = velocity_row(pitched.R.T * heading, point, q)
+        row = velocity_row(pitched.R.T * level_heading(pitched.R * axle), point, q)
         force -= p["wheelDrag"] * row.T * (row * v)
     return force

@@ -10,8 +10,10 @@ from . import ripstik
 from .angular_velocity import body_angular_velocity, hat, vee
 from .energy import potential
 from .euler_lagrange import along, from_bodies, from_lagrangian
+from .recorder import Recorder
 from .rotations import Frame, rotation
-from .tape import differentiate, record
+from .sharing import FEWEST_OPERATIONS, Unit, share
+from .tape import Tape
 
 
 def values(symbols, seed):
@@ -99,17 +101,65 @@ class EulerLagrange(unittest.TestCase):
 
 
 class Tapes(unittest.TestCase):
-    def test_forward_differentiation_is_exact(self):
-        x, y = sp.symbols("x y")
-        f = sp.sin(x * y) / (1 + x**2) + sp.sqrt(1 + y**2) * sp.sin(x * y)
-        tape = differentiate(record({"f": f}), {"x": x, "y": y})
-        at = values([x, y], 3)
-        for label, symbol in (("x", x), ("y", y)):
-            value = tape.outputs[("f", label)]
-            for s, e in reversed(tape.steps):
-                value = value.subs(s, e)
-            self.assertLess(abs(number(value - f.diff(symbol), at)), 1e-20)
+    def taped(self, symbols, expressions):
+        tape = Tape()
+        return tape, Recorder(tape, {"q": symbols}).all(expressions)
 
+    def test_a_recorded_expression_keeps_its_value(self):
+        x, y, z = symbols = sp.symbols("x y z")
+        printed = {"powers": (x - y) ** 3 / (2 * z**2) + z**sp.Rational(3, 2) - sp.Rational(1, 3), "angles": sp.atan(sp.tan(x) * sp.sin(y)) * -sp.cos(x - y),
+                   "signs": -(x - y) * (y - x) - (-z), "nothing": x * 0 + (y - y)}
+        tape, outputs = self.taped(symbols, printed)
+        at = values(symbols, 4)
+        with mpmath.workdps(30):
+            numbers = tape.evaluate(outputs, {"q": [at[s] for s in symbols]}, mpmath)
+        self.assertNotIn("nothing", numbers)
+        for name, value in numbers.items():
+            self.assertLess(abs(value - number(printed[name], at)), 1e-15, name)
+
+    def test_nothing_is_written_twice(self):
+        x, y = symbols = sp.symbols("x y")
+        tape, outputs = self.taped(symbols, {0: sp.sin(x * y), 1: 2 + sp.sin(y * x), 2: x - y, 3: y - x})
+        kinds = [tape.ops[i][0] for i in tape.reached(outputs.values())]
+        self.assertEqual([kinds.count(kind) for kind in ("mul", "sin", "sub", "neg")], [1, 1, 1, 1])
+
+    def test_forward_differentiation_is_exact(self):
+        x, y = symbols = sp.symbols("x y")
+        f = sp.sin(x * y) / (1 + x**2) + sp.sqrt(1 + y**2) * sp.sin(x * y) + sp.atan(sp.tan(x) - sp.cos(x) / y)
+        tape, outputs = self.taped(symbols, {"f": f})
+        derived = tape.differentiate(outputs, {k: tape.input("q", k) for k in range(2)})
+        at = values(symbols, 3)
+        with mpmath.workdps(30):
+            numbers = tape.evaluate(derived, {"q": [at[s] for s in symbols]}, mpmath)
+        for k, symbol in enumerate(symbols):
+            self.assertLess(abs(numbers["f", k] - number(f.diff(symbol), at)), 1e-20)
+
+    def test_wheel_drag_by_recursion_is_the_printed_one(self):
+        model = ripstik.model()
+        at = point(model, 12)
+        described = ripstik.board(model.q, model.q[3] + model.q[6], model.q[3] + model.q[7])
+        skates = [(place, frame.relative_to(described.pitched) * ripstik.AXLE) for place, frame in described.skates]
+        for ours, printed in zip(model.extra_forces[0][1], ripstik.wheel_drag(skates, described.pitched)):
+            self.assertLess(abs(number(ours, at) - number(printed, at)), 1e-15)
+
+
+class Sharing(unittest.TestCase):
+    def test_what_several_functions_need_is_computed_once_and_before_them(self):
+        tape = Tape()
+        x = tape.input("q", 0)
+        first = [x]
+        for _ in range(FEWEST_OPERATIONS + 2):
+            first.append(first[-1] * first[-1] + x)
+        units = [Unit(name, name, False, [("out[0]", first[-1] + k)], "", {}) for k, name in enumerate("ab")]
+        shared, loads = share(tape, units)
+        self.assertEqual([s.name for s in shared], ["kinematics"])
+        self.assertEqual([unit.needs for unit in units], [["kinematics"]] * 2)
+        self.assertEqual(list(loads), [first[-1].index])
+        for unit in units:
+            self.assertEqual(tape.operations(tape.reached([value for _, value in unit.outputs], loads)), 1 if unit.name == "b" else 0)
+
+
+class Rows(unittest.TestCase):
     def test_constraint_rows_are_the_velocities_they_name(self):
         model = ripstik.model()
         at = point(model, 11)

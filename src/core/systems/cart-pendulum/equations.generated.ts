@@ -8,64 +8,51 @@ export function mechanics(
 ): void {
   const theta = q[1]!;
   const theta_dot = v[1]!;
-  const m1 = p[0]!;
   const m2 = p[1]!;
   const L = p[2]!;
-  const gravity = p[3]!;
-  const x0 = L*m2;
-  const x1 = x0*Math.cos(theta);
-  massMatrix[0] = m1 + m2;
-  massMatrix[1] = -x0*Math.sin(theta);
-  massMatrix[2] = -x0*Math.sin(theta);
-  massMatrix[3] = 2*(L * L)*m2;
-  h[0] = (theta_dot * theta_dot)*x1;
-  h[1] = -gravity*x1;
-}
-
-/** Directions dq1, dv1 of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const theta = q[1]!;
-  const theta_dot = v[1]!;
-  const m2 = p[1]!;
-  const L = p[2]!;
-  const gravity = p[3]!;
-  const a0 = a[0]!;
-  const a1 = a[1]!;
-  const x0 = L*m2;
-  const x2 = x0*Math.cos(theta);
-  const ddq1_x1 = x0*Math.cos(theta);
-  const ddq1_x2 = -x0*Math.sin(theta);
-  dq[1] = -a1*ddq1_x1 - ddq1_x2*(theta_dot * theta_dot);
-  dq[3] = -a0*ddq1_x1 + ddq1_x2*gravity;
-  dv[1] = -2*theta_dot*x2;
+  const x0 = Math.sin(theta);
+  const x1 = m2 * L;
+  const x2 = -x0 * x1;
+  const x3 = Math.cos(theta);
+  massMatrix[0] = p[0]! + m2;
+  massMatrix[1] = x2;
+  massMatrix[2] = x2;
+  massMatrix[3] = L * L * (m2 * 2);
+  h[0] = x3 * (x1 * (theta_dot * theta_dot));
+  h[1] = -x3 * (m2 * (L * p[3]!));
 }
 
 /** Exact Jacobians of M a - h (row-major). */
 export function jacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
 ): void {
+  const theta = q[1]!;
+  const theta_dot = v[1]!;
+  const m2 = p[1]!;
+  const L = p[2]!;
+  const x0 = Math.sin(theta);
+  const x1 = m2 * L;
+  const x2 = Math.cos(theta);
   dq.fill(0);
   dv.fill(0);
-  jacobians0(q, v, a, p, dq, dv);
+  dq[1] = x0 * (x1 * (theta_dot * theta_dot)) - x2 * (a[1]! * x1);
+  dq[3] = -(x0 * (m2 * (L * p[3]!)) + x2 * (a[0]! * x1));
+  dv[1] = -x2 * (x1 * (theta_dot + theta_dot));
 }
 
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
 ): void {
-  const theta = q[1]!;
   const X_dot = v[0]!;
   const theta_dot = v[1]!;
-  const m1 = p[0]!;
   const m2 = p[1]!;
   const L = p[2]!;
-  const gravity = p[3]!;
-  const x0 = (0.5)*(X_dot * X_dot);
-  const x1 = L*m2*Math.sin(theta);
-  out[0] = (L * L)*m2*(theta_dot * theta_dot) - X_dot*theta_dot*x1 + m1*x0 + m2*x0;
-  out[1] = gravity*x1;
+  const x0 = Math.sin(q[1]!);
+  const x1 = X_dot * X_dot;
+  const x2 = theta_dot * theta_dot * (m2 * (L * L)) + (x1 * (p[0]! * 0.5) + x1 * (m2 * 0.5)) - x0 * (theta_dot * (X_dot * (m2 * L)));
+  out[0] = x2;
+  out[1] = x0 * (m2 * (L * p[3]!));
 }
 
 /** Derivatives of `poses` by q (24 x 2). */
@@ -73,13 +60,14 @@ export function poseJacobian(
   q: Float64Array, p: Float64Array, out: Float64Array,
 ): void {
   const theta = q[1]!;
-  const d1_x0 = -Math.sin(theta);
-  const d1_x1 = Math.cos(theta);
+  const x0 = Math.sin(theta);
+  const x1 = Math.cos(theta);
+  const x2 = -x0;
   out.fill(0);
   out[0] = 1;
   out[24] = 1;
-  out[31] = d1_x0;
-  out[35] = -d1_x1;
-  out[43] = d1_x1;
-  out[47] = d1_x0;
+  out[31] = x2;
+  out[35] = -x1;
+  out[43] = x1;
+  out[47] = x2;
 }

@@ -6,51 +6,40 @@
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,
 ): void {
-  const theta_c = q[0]!;
-  const casterAngle = p[0]!;
   const casterTrail = p[1]!;
   const casterMass = p[3]!;
   const wheelRadius = p[4]!;
-  const gravity = p[5]!;
-  massMatrix[0] = (0.25)*casterMass*(4*(casterTrail * casterTrail) + (wheelRadius * wheelRadius));
-  h[0] = casterMass*casterTrail*gravity*Math.sin(casterAngle)*Math.sin(theta_c);
-}
-
-/** Directions dq0 of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const theta_c = q[0]!;
-  const casterAngle = p[0]!;
-  const casterTrail = p[1]!;
-  const casterMass = p[3]!;
-  const gravity = p[5]!;
-  dq[0] = -casterMass*casterTrail*gravity*Math.sin(casterAngle)*Math.cos(theta_c);
+  const x0 = Math.sin(p[0]!);
+  const x1 = Math.sin(q[0]!);
+  massMatrix[0] = (wheelRadius * wheelRadius + 4 * (casterTrail * casterTrail)) * (casterMass * 0.25);
+  h[0] = x1 * (x0 * (p[5]! * (casterTrail * casterMass)));
 }
 
 /** Exact Jacobians of M a - h (row-major). */
 export function jacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
 ): void {
-  dq.fill(0);
+  const x0 = Math.sin(p[0]!);
+  const x1 = Math.cos(q[0]!);
   dv.fill(0);
-  jacobians0(q, v, a, p, dq, dv);
+  dq[0] = -x0 * (p[5]! * (p[1]! * p[3]!)) * x1;
 }
 
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
 ): void {
-  const theta_c = q[0]!;
   const theta_c_dot = v[0]!;
   const casterAngle = p[0]!;
   const casterTrail = p[1]!;
-  const casterDrop = p[2]!;
   const casterMass = p[3]!;
   const wheelRadius = p[4]!;
-  const gravity = p[5]!;
-  out[0] = (0.125)*casterMass*(theta_c_dot * theta_c_dot)*(4*(casterTrail * casterTrail) + (wheelRadius * wheelRadius));
-  out[1] = casterMass*gravity*(-casterDrop*Math.cos(casterAngle) + casterTrail*Math.sin(casterAngle)*Math.cos(theta_c));
+  const x0 = Math.sin(casterAngle);
+  const x1 = Math.cos(q[0]!);
+  const x2 = theta_c_dot * theta_c_dot * ((wheelRadius * wheelRadius + 4 * (casterTrail * casterTrail)) * (casterMass * 0.125));
+  const x3 = Math.cos(casterAngle);
+  out[0] = x2;
+  out[1] = (x1 * (casterTrail * x0) - p[2]! * x3) * (casterMass * p[5]!);
 }
 
 /** Derivatives of `poses` by q (12 x 1). */
@@ -61,18 +50,17 @@ export function poseJacobian(
   const casterAngle = p[0]!;
   const casterTrail = p[1]!;
   const x0 = Math.sin(casterAngle);
-  const x1 = Math.cos(casterAngle);
-  const d0_x2 = -Math.sin(theta_c);
-  const d0_x3 = d0_x2*x1;
-  const d0_x4 = Math.cos(theta_c);
+  const x1 = Math.sin(theta_c);
+  const x2 = Math.cos(theta_c);
+  const x3 = Math.cos(casterAngle);
   out.fill(0);
-  out[0] = -casterTrail*d0_x3;
-  out[1] = -casterTrail*d0_x4;
-  out[2] = casterTrail*d0_x2*x0;
-  out[3] = d0_x3;
-  out[4] = -d0_x4*x1;
-  out[6] = d0_x4;
-  out[7] = d0_x2;
-  out[9] = -d0_x2*x0;
-  out[10] = d0_x4*x0;
+  out[0] = x1 * (casterTrail * x3);
+  out[1] = -casterTrail * x2;
+  out[2] = -x1 * (casterTrail * x0);
+  out[3] = -x1 * x3;
+  out[4] = -x2 * x3;
+  out[6] = x2;
+  out[7] = -x1;
+  out[9] = x0 * x1;
+  out[10] = x0 * x2;
 }

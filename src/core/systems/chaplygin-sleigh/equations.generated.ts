@@ -7,122 +7,78 @@ export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,
 ): void {
   const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
   const theta_dot = v[2]!;
   const mass = p[0]!;
   const a = p[1]!;
-  const inertia = p[2]!;
   const x0 = Math.sin(theta);
-  const x1 = a*mass;
-  const x2 = x0*x1;
+  const x1 = mass * a;
+  const x2 = -x0 * x1;
   const x3 = Math.cos(theta);
-  const x4 = x1*x3;
-  const x5 = 2*(a * a);
-  const x6 = (0.5)*mass;
-  const x7 = (theta_dot * theta_dot);
-  const x8 = a*theta_dot;
-  const x9 = x3*x8;
-  const x10 = x9 + y_dot;
-  const x11 = 2*a;
-  const x12 = x0*x8;
-  const x13 = x12 - x_dot;
+  const x4 = x1 * x3;
+  const x5 = 2 * (a * a);
+  const x6 = mass * 0.5;
+  const x7 = x1 * (theta_dot * theta_dot);
+  const x8 = theta_dot * a;
+  const x9 = v[1]! + x3 * x8;
+  const x10 = a * (-2);
+  const x11 = x0 * x8 - v[0]!;
+  const x12 = a * 2;
+  const x13 = x6 * (x0 * (x9 * (theta_dot * x10)) + x3 * (x11 * (theta_dot * x12))) + (x0 * (x9 * x10) + x3 * (x11 * x12)) * (theta_dot * (mass * (-0.5)));
   massMatrix.fill(0);
   massMatrix[0] = mass;
-  massMatrix[2] = -x2;
+  massMatrix[2] = x2;
   massMatrix[4] = mass;
   massMatrix[5] = x4;
-  massMatrix[6] = -x2;
+  massMatrix[6] = x2;
   massMatrix[7] = x4;
-  massMatrix[8] = inertia + x6*((x0 * x0)*x5 + (x3 * x3)*x5);
-  h[0] = x4*x7;
-  h[1] = x2*x7;
-  h[2] = (0.5)*mass*(-2*x10*x12 + 2*x13*x9) - theta_dot*x6*(-x0*x10*x11 + x11*x13*x3);
-}
-
-/** Directions dq2, dv0, dv1, dv2 of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
-  const mass = p[0]!;
-  const a_ = p[1]!;
-  const a0 = a[0]!;
-  const a1 = a[1]!;
-  const a2 = a[2]!;
-  const x0 = Math.sin(theta);
-  const x1 = a_*mass;
-  const x2 = a2*x1;
-  const x3 = Math.cos(theta);
-  const x4 = (theta_dot * theta_dot)*x1;
-  const x5 = a1*mass;
-  const x6 = 2*(a_ * a_);
-  const x7 = (0.5)*mass;
-  const x8 = a_*theta_dot;
-  const x9 = x3*x8;
-  const x10 = x9 + y_dot;
-  const x11 = 2*a_;
-  const x12 = x0*x8;
-  const x13 = x12 - x_dot;
-  const ddq2_x0 = Math.cos(theta);
-  const ddq2_x3 = -Math.sin(theta);
-  const ddq2_x9 = ddq2_x3*x8;
-  const ddq2_x12 = ddq2_x0*x8;
-  const ddv2_x4 = 2*theta_dot*x1;
-  const ddv2_x9 = a_*x3;
-  const ddv2_x12 = a_*x0;
-  dq[2] = -ddq2_x0*x2 - ddq2_x3*x4;
-  dq[5] = -ddq2_x0*x4 + ddq2_x3*x2;
-  dq[8] = ddq2_x0*(-a0*a_*mass + 2*a2*x0*x6*x7 - theta_dot*x10*x11*x7) + 2*ddq2_x12*x10*x7 + ddq2_x12*(theta_dot*x11*x3*x7 - 2*x7*x9) + ddq2_x3*(2*a2*x3*x6*x7 + a_*x5 + theta_dot*x11*x13*x7) - 2*ddq2_x9*x13*x7 + ddq2_x9*(-theta_dot*x0*x11*x7 + 2*x12*x7);
-  dv[2] = -ddv2_x4*x3;
-  dv[5] = -ddv2_x4*x0;
-  dv[6] = -theta_dot*x11*x3*x7 + 2*x7*x9;
-  dv[7] = -theta_dot*x0*x11*x7 + 2*x12*x7;
-  dv[8] = 2*ddv2_x12*x10*x7 + ddv2_x12*(theta_dot*x11*x3*x7 - 2*x7*x9) - 2*ddv2_x9*x13*x7 + ddv2_x9*(-theta_dot*x0*x11*x7 + 2*x12*x7) + x7*(-x0*x10*x11 + x11*x13*x3);
+  massMatrix[8] = p[2]! + (x3 * x3 * x5 + x5 * (x0 * x0)) * x6;
+  h[0] = x3 * x7;
+  h[1] = x0 * x7;
+  h[2] = x13;
 }
 
 /** Exact Jacobians of M a - h (row-major). */
 export function jacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
 ): void {
-  dq.fill(0);
-  dv.fill(0);
-  jacobians0(q, v, a, p, dq, dv);
-}
-
-/** [kinetic, potential] in J. */
-export function energy(
-  q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
-): void {
   const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
   const theta_dot = v[2]!;
   const mass = p[0]!;
-  const a = p[1]!;
-  const inertia = p[2]!;
-  const x0 = a*theta_dot;
-  out.fill(0);
-  out[0] = (0.5)*inertia*(theta_dot * theta_dot) + (0.5)*mass*(Math.pow(x0*Math.sin(theta) - x_dot, 2) + Math.pow(x0*Math.cos(theta) + y_dot, 2));
-}
-
-/** Derivatives of `poses` by q (12 x 3). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta = q[2]!;
-  const d2_x0 = -Math.sin(theta);
-  const d2_x1 = Math.cos(theta);
-  out.fill(0);
-  out[0] = 1;
-  out[4] = 1;
-  out[11] = d2_x0;
-  out[14] = -d2_x1;
-  out[20] = d2_x1;
-  out[23] = d2_x0;
+  const a_ = p[1]!;
+  const x0 = Math.sin(theta);
+  const x1 = mass * a_;
+  const x2 = Math.cos(theta);
+  const x3 = mass * 0.5;
+  const x4 = x1 * (theta_dot * theta_dot);
+  const x5 = theta_dot * a_;
+  const x6 = x2 * x5;
+  const x7 = v[1]! + x6;
+  const x8 = a_ * (-2);
+  const x9 = theta_dot * x8;
+  const x10 = x0 * x5;
+  const x11 = x10 - v[0]!;
+  const x12 = a_ * 2;
+  const x13 = theta_dot * x12;
+  const x14 = x7 * x8;
+  const x15 = x11 * x12;
+  const x16 = mass * (-0.5);
+  const x17 = a[2]! * x1;
+  const x18 = theta_dot * x3;
+  const x19 = x16 * (x2 * (x7 * x9) - x0 * (x9 * x10) + (x2 * (x6 * x13) - x0 * (x11 * x13))) + x18 * (x2 * x14 - x0 * (x8 * x10) + (x2 * (x6 * x12) - x0 * x15));
+  const x20 = x1 * (theta_dot + theta_dot);
+  const x21 = a_ * x2;
+  const x22 = a_ * x0;
+  const x23 = x16 * (x0 * (x14 + x9 * x21) + x2 * (x15 + x13 * x22)) + (x18 * (x0 * (x8 * x21) + x2 * (x12 * x22)) + x3 * (x0 * x14 + x2 * x15));
+  dq.fill(0);
+  dv.fill(0);
+  dq[2] = x0 * x4 - x2 * x17;
+  dq[5] = -(x2 * x4 + x0 * x17);
+  dq[8] = x19 - x0 * (a[1]! * x1) - x2 * (a[0]! * x1);
+  dv[6] = -(x16 * (x2 * x13) + x18 * (x2 * x12));
+  dv[7] = x16 * (x0 * x9) + x18 * (x0 * x8);
+  dv[2] = -x2 * x20;
+  dv[5] = -x0 * x20;
+  dv[8] = x23;
 }
 
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
@@ -130,90 +86,74 @@ export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
 ): void {
   const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
   const x0 = Math.sin(theta);
   const x1 = Math.cos(theta);
   omega.fill(0);
   omega[0] = -x0;
   omega[1] = x1;
-  gamma[0] = theta_dot*(-x0*y_dot - x1*x_dot);
-}
-
-/** `mechanics` and `rollingConstraints` at once, for less than both. */
-export function rollingDynamics(
-  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
-): void {
-  const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
-  const mass = p[0]!;
-  const a = p[1]!;
-  const inertia = p[2]!;
-  const x0 = Math.sin(theta);
-  const x1 = a*mass;
-  const x2 = x0*x1;
-  const x3 = Math.cos(theta);
-  const x4 = x1*x3;
-  const x5 = 2*(a * a);
-  const x6 = (0.5)*mass;
-  const x7 = (theta_dot * theta_dot);
-  const x8 = a*theta_dot;
-  const x9 = x3*x8;
-  const x10 = x9 + y_dot;
-  const x11 = 2*a;
-  const x12 = x0*x8;
-  const x13 = x12 - x_dot;
-  massMatrix.fill(0);
-  massMatrix[0] = mass;
-  massMatrix[2] = -x2;
-  massMatrix[4] = mass;
-  massMatrix[5] = x4;
-  massMatrix[6] = -x2;
-  massMatrix[7] = x4;
-  massMatrix[8] = inertia + x6*((x0 * x0)*x5 + (x3 * x3)*x5);
-  h[0] = x4*x7;
-  h[1] = x2*x7;
-  h[2] = (0.5)*mass*(-2*x10*x12 + 2*x13*x9) - theta_dot*x6*(-x0*x10*x11 + x11*x13*x3);
-  omega.fill(0);
-  omega[0] = -x0;
-  omega[1] = x3;
-  gamma[0] = theta_dot*(-x0*y_dot - x3*x_dot);
-}
-
-/** Directions Q2, V0, V1, V2 of `rollingJacobians`. */
-function rollingJacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
-  const a0 = a[0]!;
-  const a1 = a[1]!;
-  const lambda0 = lambda[0]!;
-  const x0 = Math.sin(theta);
-  const x1 = Math.cos(theta);
-  const dQ2_x0 = Math.cos(theta);
-  const dQ2_x1 = -Math.sin(theta);
-  forceQ[2] = -dQ2_x0*lambda0;
-  forceQ[5] = dQ2_x1*lambda0;
-  rateQ[2] = dQ2_x0*(-a0 - theta_dot*y_dot) + dQ2_x1*(a1 - theta_dot*x_dot);
-  rateV[0] = -theta_dot*x1;
-  rateV[1] = -theta_dot*x0;
-  rateV[2] = -x0*y_dot - x1*x_dot;
-  velocityQ[2] = -dQ2_x0*x_dot + dQ2_x1*y_dot;
+  gamma[0] = -v[2]! * (v[0]! * x1 + v[1]! * x0);
 }
 
 /** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
 export function rollingJacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
 ): void {
+  const theta = q[2]!;
+  const x_dot = v[0]!;
+  const y_dot = v[1]!;
+  const theta_dot = v[2]!;
+  const lambda0 = lambda[0]!;
+  const x0 = Math.sin(theta);
+  const x1 = Math.cos(theta);
+  const x2 = -(x_dot * x1 + y_dot * x0);
   forceQ.fill(0);
   rateQ.fill(0);
-  rateV.fill(0);
   velocityQ.fill(0);
-  rollingJacobians0(q, v, a, lambda, p, forceQ, rateQ, rateV, velocityQ);
+  forceQ[2] = -lambda0 * x1;
+  forceQ[5] = -lambda0 * x0;
+  rateQ[2] = -(a[0]! * x1 + (theta_dot * (y_dot * x1 - x_dot * x0) + a[1]! * x0));
+  velocityQ[2] = x2;
+  rateV[0] = -theta_dot * x1;
+  rateV[1] = -theta_dot * x0;
+  rateV[2] = x2;
+}
+
+/** [kinetic, potential] in J. */
+export function energy(
+  q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[2]!;
+  const theta_dot = v[2]!;
+  const x0 = Math.sin(theta);
+  const x1 = Math.cos(theta);
+  const x2 = theta_dot * p[1]!;
+  const x3 = v[1]! + x1 * x2;
+  const x4 = x0 * x2 - v[0]!;
+  out.fill(0);
+  out[0] = theta_dot * theta_dot * (p[2]! * 0.5) + p[0]! * 0.5 * (x3 * x3 + x4 * x4);
+}
+
+/** Derivatives of `poses` by q (12 x 3). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const theta = q[2]!;
+  const x0 = Math.sin(theta);
+  const x1 = Math.cos(theta);
+  const x2 = -x0;
+  out.fill(0);
+  out[0] = 1;
+  out[4] = 1;
+  out[11] = x2;
+  out[14] = -x1;
+  out[20] = x1;
+  out[23] = x2;
+}
+
+/** `mechanics` and `rollingConstraints` at once, for less than both. */
+export function rollingDynamics(
+  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  mechanics(q, v, p, massMatrix, h);
+  rollingConstraints(q, v, p, omega, gamma);
 }

@@ -7,14 +7,12 @@ export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,
 ): void {
   const m = p[0]!;
-  const Jroll = p[2]!;
-  const Jspin = p[3]!;
   massMatrix.fill(0);
+  h.fill(0);
   massMatrix[0] = m;
   massMatrix[5] = m;
-  massMatrix[10] = Jroll;
-  massMatrix[15] = Jspin;
-  h.fill(0);
+  massMatrix[10] = p[2]!;
+  massMatrix[15] = p[3]!;
 }
 
 /** Exact Jacobians of M a - h (row-major). */
@@ -25,6 +23,54 @@ export function jacobians(
   dv.fill(0);
 }
 
+/** Omega (2 x 4) and gamma = Omega_dot v (2). */
+export function rollingConstraints(
+  q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  const theta = q[2]!;
+  const rho = p[1]!;
+  const x0 = Math.cos(theta);
+  const x1 = Math.sin(theta);
+  const x2 = v[2]! * (v[3]! * rho);
+  omega.fill(0);
+  omega[0] = 1;
+  omega[3] = -rho * x0;
+  omega[5] = 1;
+  omega[7] = -rho * x1;
+  gamma[0] = x1 * x2;
+  gamma[1] = -x0 * x2;
+}
+
+/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
+export function rollingJacobians(
+  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
+): void {
+  const theta = q[2]!;
+  const theta_dot = v[2]!;
+  const rho = p[1]!;
+  const x0 = Math.cos(theta);
+  const x1 = Math.sin(theta);
+  const x2 = v[3]! * rho;
+  const x3 = theta_dot * x2;
+  const x4 = rho * a[3]!;
+  const x5 = -x0 * x2;
+  const x6 = x1 * x2;
+  const x7 = theta_dot * rho;
+  forceQ.fill(0);
+  rateQ.fill(0);
+  rateV.fill(0);
+  velocityQ.fill(0);
+  forceQ[14] = -(x0 * (rho * lambda[1]!) - x1 * (rho * lambda[0]!));
+  rateQ[2] = x0 * x3 + x1 * x4;
+  rateQ[6] = x1 * x3 - x0 * x4;
+  velocityQ[2] = x6;
+  velocityQ[6] = x5;
+  rateV[2] = x6;
+  rateV[6] = x5;
+  rateV[3] = x1 * x7;
+  rateV[7] = -x0 * x7;
+}
+
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
@@ -33,12 +79,10 @@ export function energy(
   const Y_dot = v[1]!;
   const theta_dot = v[2]!;
   const phi_dot = v[3]!;
-  const m = p[0]!;
-  const Jroll = p[2]!;
-  const Jspin = p[3]!;
-  const x0 = (0.5)*m;
+  const x0 = p[0]! * 0.5;
+  const x1 = x0 * (Y_dot * Y_dot) + (X_dot * X_dot * x0 + (theta_dot * theta_dot * (p[2]! * 0.5) + phi_dot * phi_dot * (p[3]! * 0.5)));
   out.fill(0);
-  out[0] = (0.5)*Jroll*(theta_dot * theta_dot) + (0.5)*Jspin*(phi_dot * phi_dot) + (X_dot * X_dot)*x0 + (Y_dot * Y_dot)*x0;
+  out[0] = x1;
 }
 
 /** Derivatives of `poses` by q (12 x 4). */
@@ -49,115 +93,33 @@ export function poseJacobian(
   const phi = q[3]!;
   const x0 = Math.cos(phi);
   const x1 = Math.cos(theta);
-  const x2 = Math.sin(theta);
-  const x3 = Math.sin(phi);
-  const d2_x1 = -Math.sin(theta);
-  const d2_x2 = Math.cos(theta);
-  const d3_x0 = -Math.sin(phi);
-  const d3_x3 = Math.cos(phi);
+  const x2 = x0 * x1;
+  const x3 = Math.sin(theta);
+  const x4 = Math.sin(phi);
+  const x5 = x1 * x4;
+  const x6 = x0 * x3;
+  const x7 = -x3 * x4;
   out.fill(0);
   out[0] = 1;
   out[5] = 1;
-  out[14] = d2_x1*x0;
-  out[15] = d3_x0*x1;
-  out[18] = -d2_x2;
-  out[22] = d2_x1*x3;
-  out[23] = d3_x3*x1;
-  out[26] = d2_x2*x0;
-  out[27] = d3_x0*x2;
-  out[30] = d2_x1;
-  out[34] = d2_x2*x3;
-  out[35] = d3_x3*x2;
-  out[39] = -d3_x3;
-  out[47] = d3_x0;
-}
-
-/** Omega (2 x 4) and gamma = Omega_dot v (2). */
-export function rollingConstraints(
-  q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
-): void {
-  const theta = q[2]!;
-  const theta_dot = v[2]!;
-  const phi_dot = v[3]!;
-  const rho = p[1]!;
-  const x0 = rho*Math.cos(theta);
-  const x1 = rho*Math.sin(theta);
-  const x2 = phi_dot*theta_dot;
-  omega.fill(0);
-  omega[0] = 1;
-  omega[3] = -x0;
-  omega[5] = 1;
-  omega[7] = -x1;
-  gamma[0] = x1*x2;
-  gamma[1] = -x0*x2;
+  out[14] = -x6;
+  out[15] = -x5;
+  out[18] = -x1;
+  out[22] = x7;
+  out[23] = x2;
+  out[26] = x2;
+  out[27] = x7;
+  out[30] = -x3;
+  out[34] = x5;
+  out[35] = x6;
+  out[39] = -x0;
+  out[47] = -x4;
 }
 
 /** `mechanics` and `rollingConstraints` at once, for less than both. */
 export function rollingDynamics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
 ): void {
-  const theta = q[2]!;
-  const theta_dot = v[2]!;
-  const phi_dot = v[3]!;
-  const m = p[0]!;
-  const rho = p[1]!;
-  const Jroll = p[2]!;
-  const Jspin = p[3]!;
-  const x0 = rho*Math.cos(theta);
-  const x1 = rho*Math.sin(theta);
-  const x2 = phi_dot*theta_dot;
-  massMatrix.fill(0);
-  massMatrix[0] = m;
-  massMatrix[5] = m;
-  massMatrix[10] = Jroll;
-  massMatrix[15] = Jspin;
-  h.fill(0);
-  omega.fill(0);
-  omega[0] = 1;
-  omega[3] = -x0;
-  omega[5] = 1;
-  omega[7] = -x1;
-  gamma[0] = x1*x2;
-  gamma[1] = -x0*x2;
-}
-
-/** Directions Q2, V2, V3 of `rollingJacobians`. */
-function rollingJacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  const theta = q[2]!;
-  const theta_dot = v[2]!;
-  const phi_dot = v[3]!;
-  const rho = p[1]!;
-  const a3 = a[3]!;
-  const lambda0 = lambda[0]!;
-  const lambda1 = lambda[1]!;
-  const x0 = rho*Math.cos(theta);
-  const x1 = rho*Math.sin(theta);
-  const x2 = phi_dot*x0;
-  const x3 = phi_dot*x1;
-  const dQ2_x0 = -rho*Math.sin(theta);
-  const dQ2_x1 = rho*Math.cos(theta);
-  const dQ2_x2 = dQ2_x0*phi_dot;
-  const dQ2_x3 = dQ2_x1*phi_dot;
-  forceQ[14] = -dQ2_x0*lambda0 - dQ2_x1*lambda1;
-  rateQ[2] = -a3*dQ2_x0 + dQ2_x3*theta_dot;
-  rateQ[6] = -a3*dQ2_x1 - dQ2_x2*theta_dot;
-  rateV[2] = x3;
-  rateV[3] = theta_dot*x1;
-  rateV[6] = -x2;
-  rateV[7] = -theta_dot*x0;
-  velocityQ[2] = -dQ2_x2;
-  velocityQ[6] = -dQ2_x3;
-}
-
-/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
-export function rollingJacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  forceQ.fill(0);
-  rateQ.fill(0);
-  rateV.fill(0);
-  velocityQ.fill(0);
-  rollingJacobians0(q, v, a, lambda, p, forceQ, rateQ, rateV, velocityQ);
+  mechanics(q, v, p, massMatrix, h);
+  rollingConstraints(q, v, p, omega, gamma);
 }

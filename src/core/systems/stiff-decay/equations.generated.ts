@@ -6,18 +6,8 @@
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,
 ): void {
-  const y_dot = v[0]!;
-  const rate = p[0]!;
   massMatrix[0] = 1;
-  h[0] = -rate*y_dot;
-}
-
-/** Directions dv0 of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const rate = p[0]!;
-  dv[0] = rate;
+  h[0] = -v[0]! * p[0]!;
 }
 
 /** Exact Jacobians of M a - h (row-major). */
@@ -25,8 +15,7 @@ export function jacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
 ): void {
   dq.fill(0);
-  dv.fill(0);
-  jacobians0(q, v, a, p, dq, dv);
+  dv[0] = p[0]!;
 }
 
 /** [kinetic, potential] in J. */
@@ -40,15 +29,12 @@ export function energy(
 export function rate(
   q: Float64Array, p: Float64Array, out: Float64Array,
 ): void {
-  const y = q[0]!;
-  const rate = p[0]!;
-  out[0] = -rate*y;
+  out[0] = -q[0]! * p[0]!;
 }
 
 /** df/dq (1 x 1). */
 export function rateJacobian(
   q: Float64Array, p: Float64Array, out: Float64Array,
 ): void {
-  const rate = p[0]!;
-  out[0] = -rate;
+  out[0] = -p[0]!;
 }

@@ -8,134 +8,49 @@ export function mechanics(
 ): void {
   const psi = q[2]!;
   const psi_dot = v[2]!;
-  const m = p[1]!;
   const mP = p[2]!;
-  const Jspin = p[3]!;
   const L = p[4]!;
-  const gravity = p[5]!;
-  const x0 = L*mP;
-  const x1 = x0*Math.cos(psi);
+  const x0 = Math.sin(psi);
+  const x1 = mP * L;
+  const x2 = -x0 * x1;
+  const x3 = Math.cos(psi);
   massMatrix.fill(0);
-  massMatrix[0] = m + mP;
-  massMatrix[2] = -x0*Math.sin(psi);
-  massMatrix[4] = Jspin;
-  massMatrix[6] = -x0*Math.sin(psi);
-  massMatrix[8] = (1.3333333333333333)*(L * L)*mP;
   h.fill(0);
-  h[0] = (psi_dot * psi_dot)*x1;
-  h[2] = gravity*x1;
-}
-
-/** Directions dq2, dv2 of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const psi = q[2]!;
-  const psi_dot = v[2]!;
-  const mP = p[2]!;
-  const L = p[4]!;
-  const gravity = p[5]!;
-  const a0 = a[0]!;
-  const a2 = a[2]!;
-  const x0 = L*mP;
-  const x2 = x0*Math.cos(psi);
-  const ddq2_x1 = x0*Math.cos(psi);
-  const ddq2_x2 = -x0*Math.sin(psi);
-  dq[2] = -a2*ddq2_x1 - ddq2_x2*(psi_dot * psi_dot);
-  dq[8] = -a0*ddq2_x1 - ddq2_x2*gravity;
-  dv[2] = -2*psi_dot*x2;
+  massMatrix[0] = p[1]! + mP;
+  massMatrix[2] = x2;
+  massMatrix[4] = p[3]!;
+  massMatrix[6] = x2;
+  massMatrix[8] = L * L * (mP * 1.3333333333333333);
+  h[0] = x3 * (x1 * (psi_dot * psi_dot));
+  h[2] = x3 * (mP * (L * p[5]!));
 }
 
 /** Exact Jacobians of M a - h (row-major). */
 export function jacobians(
   q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
 ): void {
+  const psi = q[2]!;
+  const psi_dot = v[2]!;
+  const mP = p[2]!;
+  const L = p[4]!;
+  const x0 = Math.sin(psi);
+  const x1 = mP * L;
+  const x2 = Math.cos(psi);
   dq.fill(0);
   dv.fill(0);
-  jacobians0(q, v, a, p, dq, dv);
-}
-
-/** [kinetic, potential] in J. */
-export function energy(
-  q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const psi = q[2]!;
-  const X_dot = v[0]!;
-  const phi_dot = v[1]!;
-  const psi_dot = v[2]!;
-  const rho = p[0]!;
-  const m = p[1]!;
-  const mP = p[2]!;
-  const Jspin = p[3]!;
-  const L = p[4]!;
-  const gravity = p[5]!;
-  const x0 = (0.5)*(X_dot * X_dot);
-  const x1 = L*Math.sin(psi);
-  out[0] = (0.5)*Jspin*(phi_dot * phi_dot) + (0.6666666666666666)*(L * L)*mP*(psi_dot * psi_dot) - X_dot*mP*psi_dot*x1 + m*x0 + mP*x0;
-  out[1] = gravity*mP*(rho - x1);
-}
-
-/** Derivatives of `poses` by q (24 x 3). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const phi = q[1]!;
-  const psi = q[2]!;
-  const d1_x0 = -Math.sin(phi);
-  const d1_x1 = Math.cos(phi);
-  const d2_x2 = -Math.sin(psi);
-  const d2_x3 = Math.cos(psi);
-  out.fill(0);
-  out[0] = 1;
-  out[10] = d1_x0;
-  out[16] = d1_x1;
-  out[28] = -d1_x1;
-  out[34] = d1_x0;
-  out[36] = 1;
-  out[47] = d2_x2;
-  out[53] = d2_x3;
-  out[65] = -d2_x3;
-  out[71] = d2_x2;
+  dq[2] = x0 * (x1 * (psi_dot * psi_dot)) - x2 * (a[2]! * x1);
+  dq[8] = x0 * (mP * (L * p[5]!)) - x2 * (a[0]! * x1);
+  dv[2] = -x2 * (x1 * (psi_dot + psi_dot));
 }
 
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
 ): void {
-  const rho = p[0]!;
   omega.fill(0);
-  omega[0] = 1;
-  omega[1] = -rho;
   gamma.fill(0);
-}
-
-/** `mechanics` and `rollingConstraints` at once, for less than both. */
-export function rollingDynamics(
-  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
-): void {
-  const psi = q[2]!;
-  const psi_dot = v[2]!;
-  const rho = p[0]!;
-  const m = p[1]!;
-  const mP = p[2]!;
-  const Jspin = p[3]!;
-  const L = p[4]!;
-  const gravity = p[5]!;
-  const x0 = L*mP;
-  const x1 = x0*Math.cos(psi);
-  massMatrix.fill(0);
-  massMatrix[0] = m + mP;
-  massMatrix[2] = -x0*Math.sin(psi);
-  massMatrix[4] = Jspin;
-  massMatrix[6] = -x0*Math.sin(psi);
-  massMatrix[8] = (1.3333333333333333)*(L * L)*mP;
-  h.fill(0);
-  h[0] = (psi_dot * psi_dot)*x1;
-  h[2] = gravity*x1;
-  omega.fill(0);
   omega[0] = 1;
-  omega[1] = -rho;
-  gamma.fill(0);
+  omega[1] = -p[0]!;
 }
 
 /** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
@@ -146,4 +61,53 @@ export function rollingJacobians(
   rateQ.fill(0);
   rateV.fill(0);
   velocityQ.fill(0);
+}
+
+/** [kinetic, potential] in J. */
+export function energy(
+  q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const X_dot = v[0]!;
+  const phi_dot = v[1]!;
+  const psi_dot = v[2]!;
+  const mP = p[2]!;
+  const L = p[4]!;
+  const x0 = Math.sin(q[2]!);
+  const x1 = X_dot * X_dot;
+  const x2 = psi_dot * psi_dot * (L * L * (mP * 0.6666666666666666)) + (x1 * (mP * 0.5) + (phi_dot * phi_dot * (p[3]! * 0.5) + x1 * (p[1]! * 0.5)));
+  out[0] = x2 - x0 * (psi_dot * (X_dot * (mP * L)));
+  out[1] = (p[0]! - L * x0) * (mP * p[5]!);
+}
+
+/** Derivatives of `poses` by q (24 x 3). */
+export function poseJacobian(
+  q: Float64Array, p: Float64Array, out: Float64Array,
+): void {
+  const phi = q[1]!;
+  const psi = q[2]!;
+  const x0 = Math.sin(psi);
+  const x1 = Math.cos(psi);
+  const x2 = -x0;
+  const x3 = Math.cos(phi);
+  const x4 = Math.sin(phi);
+  const x5 = -x4;
+  out.fill(0);
+  out[0] = 1;
+  out[10] = x5;
+  out[16] = x3;
+  out[28] = -x3;
+  out[34] = x5;
+  out[36] = 1;
+  out[47] = x2;
+  out[53] = x1;
+  out[65] = -x1;
+  out[71] = x2;
+}
+
+/** `mechanics` and `rollingConstraints` at once, for less than both. */
+export function rollingDynamics(
+  q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array, omega: Float64Array, gamma: Float64Array,
+): void {
+  mechanics(q, v, p, massMatrix, h);
+  rollingConstraints(q, v, p, omega, gamma);
 }

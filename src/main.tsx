@@ -2,10 +2,12 @@ import './ui/style.css';
 import { effect, signal } from '@preact/signals';
 import { render } from 'preact';
 import { Comparison } from './app/runs/comparison.ts';
-import { createApp } from './app/store.ts';
+import { createApp, systemMetas } from './app/store.ts';
 import { Sweep } from './app/runs/sweep.ts';
 import { stageOf } from './app/runs/stage.ts';
 import { prepareVisit } from './app/startup.ts';
+import { Compute } from './compute/client/compute.ts';
+import { startWorker } from './compute/client/startWorker.ts';
 import { formulations } from './core/mechanics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
 import { features } from './features/registry.ts';
@@ -13,26 +15,16 @@ import './ui/kit/disposeReplaced.ts';
 import { Shell } from './ui/shell/shell.tsx';
 import { connectScene } from './stage/sceneBridge.ts';
 
-const runWorker = (): Worker => new Worker(new URL('./compute/run.worker.ts', import.meta.url), { type: 'module' });
-const cores = navigator.hardwareConcurrency || 2;
-const comparison = new Comparison(runWorker, cores);
-const sweep = new Sweep(
-  () => new Worker(new URL('./compute/sweep.worker.ts', import.meta.url), { type: 'module' }),
-  cores,
-);
+const compute = new Compute(startWorker, systemMetas, navigator.hardwareConcurrency || 2);
 const app = createApp(
-  {
-    run: runWorker,
-    csv: () => new Worker(new URL('./compute/csv.worker.ts', import.meta.url), { type: 'module' }),
-    control: () => new Worker(new URL('./compute/control.worker.ts', import.meta.url), { type: 'module' }),
-  },
+  compute,
   {
     dark: matchMedia('(prefers-color-scheme: dark)').matches,
     reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches,
     roomy: innerWidth >= 1200,
   },
-  comparison,
-  sweep,
+  new Comparison(compute.comparison),
+  new Sweep(compute.sweep),
 );
 /** For scripts that take pictures, and for whoever opens the console. */
 Object.assign(window, { ripstikApp: app });

@@ -3,31 +3,21 @@ import { cases, systemViews } from '../core/systems/registry.ts';
 import { collectScenarioErrors } from '../core/scenario/schema.ts';
 import { ScenarioError, type ScenarioFile } from '../core/scenario/types.ts';
 import type { Comparison } from './runs/comparison.ts';
-import { ControlClient } from '../compute/controlClient.ts';
-import { CsvClient } from '../compute/csvClient.ts';
+import type { Compute } from '../compute/client/compute.ts';
 import { CsvExport } from './files/csvExport.ts';
 import { download } from './files/download.ts';
 import { FileOpener } from './files/fileOpener.ts';
 import { Kept } from './runs/pinnedRuns.ts';
-import { LocusClient } from '../compute/locusClient.ts';
 import { initialLook } from './state/viewSettings.ts';
 import { Messages } from './state/messages.ts';
 import { ModeStage } from './runs/modePreview.ts';
 import { runPlaybackClock, speeds } from './state/playbackClock.ts';
-import { RunClient } from '../compute/runClient.ts';
 import { Runs } from './runs/runs.ts';
 import { samples } from './files/samples.ts';
 import type { Sweep } from './runs/sweep.ts';
 import type { App, AppActions, AppState, CaseInfo } from './types.ts';
 
 export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
-
-/** Where workers come from: the page makes real ones. */
-export interface Workers {
-  run(): Worker;
-  csv(): Worker;
-  control(): Worker;
-}
 
 /** What the person's system asks of every page. */
 export interface Preferences {
@@ -38,18 +28,16 @@ export interface Preferences {
 }
 
 /** The application: state as signals, and the only code that changes it. */
-export function createApp(workers: Workers, preferences: Preferences, comparison: Comparison, sweep: Sweep): App {
+export function createApp(compute: Compute, preferences: Preferences, comparison: Comparison, sweep: Sweep): App {
   const state = initialState(preferences);
   const messages = new Messages(state.messages);
-  const client = new RunClient(() => workers.run());
-  const csv = new CsvClient(() => workers.csv());
-  const csvExport = new CsvExport(state, csv, messages);
-  const runs = new Runs(state, client, messages, systemMetas, () => settleView(state));
+  const csvExport = new CsvExport(state, compute.csv, messages);
+  const runs = new Runs(state, compute.run, messages, systemMetas, () => settleView(state));
   const modes = new ModeStage(state, runs, systemViews, systemMetas);
   keepDrafts(state);
   const files = new FileOpener({
     state,
-    csv,
+    csv: compute.csv,
     messages,
     metas: systemMetas,
     show: (motion) => runs.show(motion),
@@ -65,7 +53,7 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     open: () => runs.run(!preferences.reducedMotion),
     run: () => runs.run(),
     retune: () => runs.retune(),
-    cancel: () => client.cancel(),
+    cancel: () => compute.run.cancel(),
     reset: () => void (state.draft.value = state.origin.peek().scenario),
     loadCase(id) {
       const found = caseInfos.find((c) => c.id === id);
@@ -137,8 +125,8 @@ export function createApp(workers: Workers, preferences: Preferences, comparison
     comparison,
     kept: new Kept(state, messages),
     sweep,
-    control: new ControlClient(() => workers.control(), systemMetas),
-    locus: new LocusClient(() => workers.control(), systemMetas),
+    control: compute.control,
+    locus: compute.locus,
   };
 }
 

@@ -2,8 +2,9 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Comparison, Contender } from './runs/comparison.ts';
 import type { Kept, KeptRun } from './runs/pinnedRuns.ts';
-import type { ControlClient } from '../compute/controlClient.ts';
-import type { LocusClient } from '../compute/locusClient.ts';
+import type { ControlClient } from '../compute/client/controlClient.ts';
+import type { LocusClient } from '../compute/client/locusClient.ts';
+export type { Answer } from '../compute/client/answer.ts';
 import type { Case } from '../core/cases/case.ts';
 import type { Look } from './state/viewSettings.ts';
 import type { Aside, ModeRequest } from './runs/modePreview.ts';

@@ -4,7 +4,8 @@ import { expect, test, type BrowserContext, type Download, type Page } from '@pl
 import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
 import type { SceneView } from '../../src/scene/contract.ts';
-import type { FromWorker, ToWorker } from '../../src/compute/protocol.ts';
+import type { FromWorker, ToWorker } from '../../src/compute/remote/protocol.ts';
+import type { RunEvent } from '../../src/compute/services/runTypes.ts';
 
 /** Small: software WebGL pays for every pixel. */
 export const VIEWPORT = { width: 900, height: 600 };
@@ -13,11 +14,12 @@ export const COORDINATES = ripstikMeta.coordinates.map((c) => c.name);
 /** The case the page opens with. */
 export const FIRST_END = '10.000';
 
-/** One message between the page and its workers, with the page's clock (ms). */
+/** What the page and a worker say to each other of a run, with the page's clock (ms). */
 export interface WorkerEvent {
   at: number;
   sent: boolean;
-  type: (FromWorker | ToWorker)['type'];
+  type: RunEvent['type'] | 'start' | 'cancel' | 'push' | 'ended' | 'refused';
+  /** Counts the runs of a worker, from 1. */
   run: number;
   time: number;
   rows: number;
@@ -76,30 +78,31 @@ export async function withoutScene(pages: Page | BrowserContext): Promise<void> 
   });
 }
 
-/** Writes down what the page and its workers say to each other. */
+/** Writes down what the page and its workers say to each other of runs. */
 export async function recordWorkers(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const events: WorkerEvent[] = (window.workerEvents = []);
-    const note = (sent: boolean, data: Partial<WorkerEvent> & { type?: string }) => {
-      if (typeof data.run === 'number')
-        events.push({
-          at: performance.now(),
-          sent,
-          type: data.type!,
-          run: data.run,
-          time: data.time ?? 0,
-          rows: data.rows ?? 0,
-        });
-    };
+    const sent = { call: 'start', abort: 'cancel', update: 'push', drop: null } as const;
     const PlainWorker = window.Worker;
     window.Worker = class extends PlainWorker {
+      private readonly runs = new Set<number>();
       constructor(...args: ConstructorParameters<typeof PlainWorker>) {
         super(...args);
-        this.addEventListener('message', (event: MessageEvent<Partial<WorkerEvent>>) => note(false, event.data));
+        this.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => {
+          if (data.kind === 'unreadable' || !this.runs.has(data.call)) return;
+          if (data.kind !== 'event') return this.note(false, data.call, data.kind === 'result' ? 'ended' : 'refused');
+          const event = data.event as RunEvent;
+          this.note(false, data.call, event.type, event.type === 'rows' ? event : undefined);
+        });
       }
-      override postMessage(message: Partial<WorkerEvent>, ...rest: never[]): void {
-        note(true, message);
+      override postMessage(message: ToWorker, ...rest: never[]): void {
+        if (message.kind === 'call' && message.name === 'run.compute') this.runs.add(message.call);
+        const type = sent[message.kind];
+        if (type && this.runs.has(message.call)) this.note(true, message.call, type);
         super.postMessage(message, ...rest);
+      }
+      private note(bySelf: boolean, run: number, type: WorkerEvent['type'], { time = 0, rows = 0 } = {}): void {
+        events.push({ at: performance.now(), sent: bySelf, type, run, time, rows });
       }
     };
   });

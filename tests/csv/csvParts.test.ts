@@ -1,25 +1,18 @@
 import { expect, test } from 'vitest';
-import { CsvClient } from '../../src/compute/csvClient.ts';
+import { CsvClient } from '../../src/compute/client/csvClient.ts';
+import { calls } from '../../src/compute/services/csv.ts';
 import { Trajectory } from '../../src/core/motion/trajectory.ts';
-import { csvHeader, csvRows, writeCsv } from '../../src/csv/csv.ts';
-import type { CsvReply, CsvRequest } from '../../src/compute/csv.worker.ts';
+import { writeCsv } from '../../src/csv/csv.ts';
+import { NearWorker } from '../compute/nearWorker.ts';
 
-/** What the worker does with rows, here and now; `before` each part something may happen to the run. */
-function writer(before: (part: number) => void): Worker {
-  const port = new EventTarget();
+/** The writer's worker; `before` each part something may happen to the run. */
+function writer(before: (part: number) => void): NearWorker {
   let part = 0;
-  const postMessage = (request: CsvRequest): void => {
-    if (request.type !== 'write') throw new Error(`a writer is not asked to ${request.type}`);
-    const { id, heading, data } = request;
+  const write: (typeof calls)['csv.write'] = (request, caller) => {
     before(part++);
-    const reply: CsvReply = {
-      type: 'written',
-      id,
-      part: new Blob([heading ? csvHeader(heading.columns, heading.comments) : '', ...csvRows(data)]),
-    };
-    queueMicrotask(() => port.dispatchEvent(new MessageEvent('message', { data: reply })));
+    return calls['csv.write'](request, caller);
   };
-  return Object.assign(port, { postMessage, terminate() {} }) as unknown as Worker;
+  return new NearWorker({ csv: () => Promise.resolve({ 'csv.write': write }) });
 }
 
 const rowsFrom = (from: number, rows: number): Float64Array[] => [
@@ -64,4 +57,24 @@ test('writing that is cancelled ends after the part under way, with nothing', as
   );
   expect(await client.write(trajectory, [], { signal: given.signal })).toBeNull();
   expect(asked).toBe(2);
+});
+
+test('a file that is read is told how far, and can be given up; the columns come as they are', async () => {
+  const rows = 300_000;
+  const text = writeCsv(['t', 'X', 'theta'], [...rowsFrom(0, rows), new Float64Array(rows)]);
+  const client = new CsvClient(() => new NearWorker());
+  const shares: number[] = [];
+  const whole = (await client.read(new Blob([text]), { onProgress: (share) => shares.push(share) }))!;
+  expect(whole.result).toMatchObject({ kind: 'motion', rows });
+  expect(shares.length).toBeGreaterThan(0);
+  const giveUp = new AbortController();
+  expect(await client.read(new Blob([text]), { signal: giveUp.signal, onProgress: () => giveUp.abort() })).toBeNull();
+  expect(await client.read(new Blob([text]), { signal: AbortSignal.abort() })).toBeNull();
+});
+
+test('a worker that dies is told in the words of the reader', async () => {
+  const near = new NearWorker();
+  const reading = new CsvClient(() => near).read(new Blob(['t,X,theta']));
+  near.die('out of memory');
+  await expect(reading).rejects.toThrow('the file reader stopped unexpectedly (out of memory)');
 });

@@ -8,6 +8,7 @@ import { Comparison } from '../../src/app/runs/comparison.ts';
 import { Sweep } from '../../src/app/runs/sweep.ts';
 import { createApp, systemMetas } from '../../src/app/store.ts';
 import type { App, Motion } from '../../src/app/types.ts';
+import { Compute } from '../../src/compute/client/compute.ts';
 import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { Trajectory } from '../../src/core/motion/trajectory.ts';
@@ -23,14 +24,13 @@ class SilentWorker extends EventTarget {
   terminate(): void {}
 }
 
-const silent = () => new SilentWorker() as unknown as Worker;
-
 export function testApp(): App {
+  const compute = new Compute(() => new SilentWorker(), systemMetas, 1);
   return createApp(
-    { run: silent, csv: silent, control: silent },
+    compute,
     { dark: false, reducedMotion: true, roomy: false },
-    new Comparison(silent, 1),
-    new Sweep(silent, 1),
+    new Comparison(compute.comparison),
+    new Sweep(compute.sweep),
   );
 }
 

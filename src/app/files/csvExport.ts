@@ -1,4 +1,4 @@
-import type { CsvClient } from '../../compute/csvClient.ts';
+import type { CsvClient } from '../../compute/client/csvClient.ts';
 import { download } from './download.ts';
 import type { Messages } from '../state/messages.ts';
 import { pushComments } from '../push/pushRecorder.ts';

@@ -6,8 +6,8 @@ import { systemViews } from '../../core/systems/registry.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
-import type { FileReading } from '../../compute/csv.worker.ts';
-import type { CsvClient } from '../../compute/csvClient.ts';
+import type { FileReading } from '../../compute/services/csvTypes.ts';
+import type { CsvClient } from '../../compute/client/csvClient.ts';
 import type { Messages } from '../state/messages.ts';
 import type { AppState, Motion, SampleInfo } from '../types.ts';
 

@@ -1,6 +1,6 @@
 import { effect, untracked } from '@preact/signals';
 import type { Push, PushRecord } from '../../core/simulation/push.ts';
-import type { Live } from '../../compute/protocol.ts';
+import type { Live } from '../../compute/services/runTypes.ts';
 import type { AppState, Motion } from '../types.ts';
 
 /** How far a run is computed ahead of what is seen while something is grabbed, in seconds of the clock on the wall. */

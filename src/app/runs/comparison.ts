@@ -4,8 +4,8 @@ import type { MethodOptions, Scenario, ScenarioFile } from '../../core/scenario/
 import type { RunCounts } from '../../core/simulation/simulation.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
-import { Pool } from '../../compute/pool.ts';
-import { RunClient } from '../../compute/runClient.ts';
+import type { Pool } from '../../compute/client/pool.ts';
+import type { RunClient } from '../../compute/client/runClient.ts';
 
 /** One method in a comparison: a scenario's `method` with a name of its own. */
 export interface Contender {
@@ -39,8 +39,8 @@ export class Comparison {
   readonly version = signal(0);
   private readonly pool: Pool<RunClient>;
 
-  constructor(create: () => Worker, cores: number) {
-    this.pool = new Pool(() => new RunClient(create), cores);
+  constructor(pool: Pool<RunClient>) {
+    this.pool = pool;
   }
 
   get busy(): boolean {

@@ -8,7 +8,7 @@ import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { Push } from '../../core/simulation/push.ts';
 import { followGrab, horizonOf, PUSHED, pushesUpTo, withMark } from '../push/pushRecorder.ts';
 import type { Messages } from '../state/messages.ts';
-import type { RunClient } from '../../compute/runClient.ts';
+import type { RunClient } from '../../compute/client/runClient.ts';
 import type { AppState, Motion, RunState, RunStatistics } from '../types.ts';
 
 /** A mark where the controller was changed under way; one that follows sooner than this (s) takes the place of the last. */

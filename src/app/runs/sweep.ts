@@ -2,8 +2,10 @@ import { signal, type Signal } from '@preact/signals';
 import { MOST_SWEEP_RUNS, withAxisValue, type SweepAxis, type SweepValue } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SweepReply, SweepRequest } from '../../compute/sweepProtocol.ts';
-import { Pool, type Lane } from '../../compute/pool.ts';
+import type { Answer } from '../../compute/client/answer.ts';
+import type { Pool } from '../../compute/client/pool.ts';
+import type { SweepClient } from '../../compute/client/sweepClient.ts';
+import type { Measured } from '../../compute/services/sweepTypes.ts';
 
 /** What is run and what is kept of it. */
 export interface SweepPlan {
@@ -36,11 +38,12 @@ export class Sweep {
   progress = 0;
   /** Runs done. */
   done = 0;
-  private readonly pool: Pool<SweepLane>;
+  private readonly pool: Pool<SweepClient>;
+  private shares = new Float64Array(0);
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  constructor(create: () => Worker, cores: number) {
-    this.pool = new Pool(() => new SweepLane(create), cores);
+  constructor(pool: Pool<SweepClient>) {
+    this.pool = pool;
   }
 
   get cores(): number {
@@ -56,7 +59,7 @@ export class Sweep {
     const total = runsOf(plan);
     if (total > MOST_SWEEP_RUNS)
       throw new Error(`${total} runs are more than the ${MOST_SWEEP_RUNS} of a sweep; take fewer values`);
-    const shares = new Float64Array(total);
+    this.shares = new Float64Array(total);
     this.results.length = 0;
     this.results.length = total;
     this.done = this.progress = 0;
@@ -65,20 +68,16 @@ export class Sweep {
     this.tell();
     this.pool.start(
       total,
-      (lane, job, over) =>
-        lane.compute({ job, file: scenarioAt(plan, job), measures: plan.measures }, (reply) => {
-          const share = reply.type === 'progress' ? Math.min(1, Math.max(0, reply.share)) : 1;
-          this.progress += share - shares[job]!;
-          shares[job] = share;
-          if (reply.type === 'progress') return this.tell();
-          this.done++;
-          this.results[job] =
-            reply.type === 'measured'
-              ? { values: reply.values, reason: reply.end.reason, message: reply.end.message }
-              : { values: plan.measures.map(() => NaN), reason: 'refused', message: reply.message };
-          this.tell();
-          over();
-        }),
+      (lane, job, over) => {
+        const request = { file: scenarioAt(plan, job), measures: plan.measures };
+        void lane
+          .measure(request, (share) => this.reach(job, share))
+          .then((answer) => {
+            if (!answer) return;
+            this.keep(plan, job, answer);
+            over();
+          });
+      },
       () => this.finish('ended'),
     );
   }
@@ -88,6 +87,21 @@ export class Sweep {
     if (this.state.peek() !== 'computing') return;
     this.pool.stop();
     this.finish('cancelled');
+  }
+
+  private keep({ measures }: SweepPlan, job: number, answer: Answer<Measured>): void {
+    this.done++;
+    this.results[job] = answer.ok
+      ? { values: answer.value.values, reason: answer.value.end.reason, message: answer.value.end.message }
+      : { values: measures.map(() => NaN), reason: 'refused', message: answer.message };
+    this.reach(job, 1);
+  }
+
+  private reach(job: number, share: number): void {
+    const reached = Math.min(1, Math.max(0, share));
+    this.progress += reached - this.shares[job]!;
+    this.shares[job] = reached;
+    this.tell();
   }
 
   private finish(state: 'ended' | 'cancelled'): void {
@@ -123,46 +137,4 @@ export function valuesAt(plan: Pick<SweepPlan, 'axes'>, job: number): SweepValue
 /** The scenario of one run, ready for the panel. */
 export function scenarioAt(plan: SweepPlan, job: number): ScenarioFile {
   return valuesAt(plan, job).reduce((file, value, a) => withAxisValue(file, plan.axes[a]!, value), plan.file);
-}
-
-/** A worker that measures one run at a time. */
-class SweepLane implements Lane {
-  private readonly create: () => Worker;
-  private worker: Worker | null = null;
-  private hear: ((reply: SweepReply) => void) | null = null;
-
-  constructor(create: () => Worker) {
-    this.create = create;
-  }
-
-  compute(request: SweepRequest, hear: (reply: SweepReply) => void): void {
-    this.worker ??= this.open();
-    this.hear = (reply) => {
-      if (reply.job === request.job) hear(reply);
-    };
-    this.worker.onerror = (event) => {
-      // A worker that died takes its run with it; the next run gets a new one.
-      this.worker?.terminate();
-      this.worker = null;
-      hear({
-        type: 'refused',
-        job: request.job,
-        path: '',
-        message: `the computation stopped unexpectedly${event.message ? ` (${event.message})` : ''}`,
-      });
-    };
-    this.worker.postMessage(request);
-  }
-
-  close(): void {
-    this.hear = null;
-    this.worker?.terminate();
-    this.worker = null;
-  }
-
-  private open(): Worker {
-    const worker = this.create();
-    worker.onmessage = ({ data }: MessageEvent<SweepReply>) => this.hear?.(data);
-    return worker;
-  }
 }

@@ -4,45 +4,26 @@ import type { Comparison } from '../../../src/app/runs/comparison.ts';
 import type { Sweep } from '../../../src/app/runs/sweep.ts';
 import { pushComments } from '../../../src/app/push/pushRecorder.ts';
 import { createKeyHand } from '../../../src/app/push/keyboardPush.ts';
-import { createApp } from '../../../src/app/store.ts';
+import { createApp, systemMetas } from '../../../src/app/store.ts';
 import type { App } from '../../../src/app/types.ts';
 import type { Push } from '../../../src/core/simulation/push.ts';
 import { Simulation } from '../../../src/core/simulation/simulation.ts';
 import { systems } from '../../../src/core/systems/all.ts';
 import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
+import { Compute } from '../../../src/compute/client/compute.ts';
+import { NearWorker } from '../../compute/nearWorker.ts';
 import { scenarioOf } from '../../helpers.ts';
 
-const inner = new EventTarget();
-let page: EventTarget;
-
-beforeAll(async () => {
-  const scope = {
-    addEventListener: inner.addEventListener.bind(inner),
-    postMessage: (data: unknown) => setTimeout(() => page.dispatchEvent(new MessageEvent('message', { data }))),
-  };
-  vi.stubGlobal('self', scope);
+beforeAll(() => {
   vi.stubGlobal('requestAnimationFrame', () => 0);
   vi.stubGlobal('cancelAnimationFrame', () => undefined);
-  await import('../../../src/compute/run.worker.ts');
 });
-
-/** The run's worker, on this thread. */
-function nearWorker(): Worker {
-  page = Object.assign(new EventTarget(), {
-    postMessage: (data: unknown) =>
-      setTimeout(() => inner.dispatchEvent(new MessageEvent('message', { data: structuredClone(data) }))),
-    terminate: () => undefined,
-  });
-  return page as Worker;
-}
 
 const push: Push = { body: 'rod', point: [0, 0, 0], target: [2, 0.3, 0.15], stiffness: 20, damping: 2 };
 
 function opened(): App {
-  const unused = (): Worker =>
-    ({ addEventListener: () => undefined, postMessage: () => undefined }) as unknown as Worker;
   return createApp(
-    { run: nearWorker, csv: unused, control: unused },
+    new Compute(() => new NearWorker(), systemMetas, 2),
     { dark: false, reducedMotion: true, roomy: false },
     {} as Comparison,
     {} as Sweep,

@@ -1,0 +1,81 @@
+import type { StartAdjustment } from '../../core/mechanics/consistentStart.ts';
+import type { Scenario } from '../../core/scenario/types.ts';
+import type { PushRecord } from '../../core/simulation/push.ts';
+import type { Continuation, RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
+import { RemoteWorker, type OngoingCall, type WorkerLike } from '../remote/remoteWorker.ts';
+import type { Live, RunCalls, RunEvent, RunResult } from '../services/runTypes.ts';
+import { answerOf } from './answer.ts';
+
+export interface RunHandlers {
+  started(columns: string[], adjustments: StartAdjustment[], notes: string[]): void;
+  rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts, seconds: number): void;
+  /** A push acts from then on, or ends. */
+  pushed?(record: PushRecord): void;
+  ended(end: RunEnd, counts: RunCounts, seconds: number): void;
+  refused(path: string, message: string): void;
+}
+
+/** One run at a time, in a worker of its own; nothing is heard of an older one. */
+export class RunClient {
+  private readonly worker: RemoteWorker<RunCalls>;
+  private current: { call: OngoingCall<RunResult, Live>; abort: AbortController } | null = null;
+
+  constructor(start: () => WorkerLike) {
+    this.worker = new RemoteWorker(start);
+  }
+
+  /**
+   * @param from a row to go on from, in place of a start at t = 0
+   * @param live what pushes it from the start; without it the run cannot be pushed
+   */
+  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation, live?: Live): void {
+    this.abandon();
+    const abort = new AbortController();
+    const call = this.worker.call(
+      'run.compute',
+      { scenario, from, live },
+      { signal: abort.signal, onEvent: (event) => hear(event, handlers) },
+    );
+    const current = (this.current = { call, abort });
+    void answerOf(call.result, 'rows computed so far are kept, run again to retry').then((answer) => {
+      if (this.current !== current || !answer) return;
+      this.current = null;
+      if (answer.ok) handlers.ended(answer.value.end, answer.value.counts, answer.value.seconds);
+      else handlers.refused(answer.path, answer.message);
+    });
+  }
+
+  /** What pushes the current run. */
+  act(live: Live): void {
+    this.current?.call.update(live);
+  }
+
+  /** Asks the current run to stop; its `ended` follows with reason `cancelled`. A worker that does not answer is ended. */
+  cancel(): void {
+    this.current?.abort.abort();
+  }
+
+  /** Forgets the current run: nothing of it is heard any more. */
+  abandon(): void {
+    const { current } = this;
+    this.current = null;
+    current?.call.drop();
+  }
+
+  /** Ends the worker; nothing more is heard of it. */
+  close(): void {
+    this.current = null;
+    this.worker.close();
+  }
+}
+
+function hear(event: RunEvent, handlers: RunHandlers): void {
+  switch (event.type) {
+    case 'started':
+      return handlers.started(event.columns, event.adjustments, event.notes);
+    case 'rows':
+      return handlers.rows(event.columns, event.rows, event.time, event.counts, event.seconds);
+    case 'pushed':
+      return handlers.pushed?.(event.record);
+  }
+}

@@ -1,0 +1,7 @@
+import type { ControlCalls } from './controlTypes.ts';
+import type { CsvCalls } from './csvTypes.ts';
+import type { RunCalls } from './runTypes.ts';
+import type { SweepCalls } from './sweepTypes.ts';
+
+/** All that a worker can be asked; the part of a name before its dot is the service that answers. */
+export type ComputeCalls = RunCalls & SweepCalls & ControlCalls & CsvCalls;

@@ -1,0 +1,11 @@
+import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
+import type { Scenario } from '../../core/scenario/types.ts';
+import type { Call } from '../remote/protocol.ts';
+
+export interface ControlCalls {
+  /** Linearization, modes and, with an lqr, the gain of a scenario. */
+  'control.analyse': Call<Scenario, ControlAnalysis>;
+  /** Eigenvalues along a range; tells its share (0 to 1). It does not look at its mailbox: end its worker to cancel it. */
+  'control.locus': Call<{ scenario: Scenario; request: LocusRequest }, ScenarioLocus, number>;
+}

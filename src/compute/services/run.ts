@@ -1,0 +1,71 @@
+import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
+import type { Caller, Handlers } from '../remote/serve.ts';
+import { feedbackFor, systemOf } from './load.ts';
+import { nextTurn } from './nextTurn.ts';
+import type { Live, RunCalls, RunEvent, RunRequest, RunResult } from './runTypes.ts';
+
+/** Computing time between looks at the mailbox: a cancel is answered well within 100 ms. */
+const SLICE_MS = 12;
+/** Rows are sent at least this often, and no oftener, so that neither page nor plot waits or drowns. */
+const SEND_MS = 30;
+
+export const calls: Handlers<RunCalls> = { 'run.compute': compute };
+
+async function compute(
+  { scenario, from, live }: RunRequest,
+  { signal, emit, onUpdate }: Caller<RunEvent, Live>,
+): Promise<RunResult> {
+  const system = await systemOf(scenario);
+  const feedback = await feedbackFor(scenario, system);
+  const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
+  let seconds = 0;
+  emit({
+    type: 'started',
+    columns: [...simulation.columns],
+    adjustments: [...simulation.adjustments],
+    notes: [...simulation.notes],
+  });
+  const send = (): void => {
+    const { columns, rows } = simulation.takeChunk();
+    emit(
+      { type: 'rows', columns, rows, time: simulation.time, counts: simulation.counts, seconds },
+      columns.map((c) => c.buffer as ArrayBuffer),
+    );
+  };
+  /** Lets a run go on that was computed up to its horizon. */
+  let wake = (): void => {};
+  signal.addEventListener('abort', () => wake());
+  const act = ({ push, horizon }: Live): void => {
+    try {
+      if (push !== undefined) emit({ type: 'pushed', record: simulation.push(push) });
+    } catch (error) {
+      simulation.stop('failed', error instanceof Error ? error.message : String(error));
+    }
+    simulation.horizon = horizon ?? Infinity;
+    wake();
+  };
+  if (live) act(live);
+  onUpdate(act);
+
+  for (let lastSent = performance.now(); !simulation.end;) {
+    if (signal.aborted) {
+      simulation.stop('cancelled', 'cancelled; what was computed is kept');
+      break;
+    }
+    const began = performance.now();
+    simulation.advance(() => performance.now() >= began + SLICE_MS);
+    seconds += (performance.now() - began) / 1000;
+    if (simulation.end) break;
+    if (simulation.waits) {
+      send();
+      lastSent = 0;
+      await new Promise<void>((resolve) => (wake = resolve));
+    } else if (performance.now() - lastSent >= SEND_MS) {
+      send();
+      lastSent = performance.now();
+    }
+    await nextTurn();
+  }
+  send();
+  return { end: simulation.end!, counts: simulation.counts, seconds };
+}

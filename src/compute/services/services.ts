@@ -1,0 +1,9 @@
+import type { Loaders } from '../remote/serve.ts';
+
+/** The services, each loaded by the first call for it, so that a worker holds what it needs and no more. */
+export const services = {
+  run: async () => (await import('./run.ts')).calls,
+  sweep: async () => (await import('./sweep.ts')).calls,
+  control: async () => (await import('./control.ts')).calls,
+  csv: async () => (await import('./csv.ts')).calls,
+} satisfies Loaders;

@@ -1,0 +1,22 @@
+import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
+import type { RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
+import type { Call } from '../remote/protocol.ts';
+
+export interface SweepCalls {
+  /** One run reduced to its measures; tells its share (0 to 1). The scenario is checked in the worker. */
+  'sweep.measure': Call<MeasureRequest, Measured, number>;
+}
+
+export interface MeasureRequest {
+  file: ScenarioFile;
+  measures: readonly SweepMeasure[];
+}
+
+export interface Measured {
+  /** One number a measure, NaN where the run has none. */
+  values: number[];
+  end: RunEnd;
+  counts: RunCounts;
+  seconds: number;
+}

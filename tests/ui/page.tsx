@@ -9,6 +9,7 @@ import { Sweep } from '../../src/app/runs/sweep.ts';
 import { createApp, systemMetas } from '../../src/app/store.ts';
 import type { App, Motion } from '../../src/app/types.ts';
 import { Compute } from '../../src/compute/client/compute.ts';
+import type { WorkerLike } from '../../src/compute/remote/remoteWorker.ts';
 import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
 import { Trajectory } from '../../src/core/motion/trajectory.ts';
@@ -19,7 +20,8 @@ import type { Feature } from '../../src/ui/feature.ts';
 import { runOf } from '../helpers.ts';
 
 /** Takes every message and answers none. */
-class SilentWorker extends EventTarget {
+class SilentWorker implements WorkerLike {
+  addEventListener(): void {}
   postMessage(): void {}
   terminate(): void {}
 }

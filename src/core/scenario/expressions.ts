@@ -1,19 +1,13 @@
-import {
-  applied,
-  choice,
-  fixed,
-  negated,
-  operators,
-  rateOf,
-  several,
-  unary,
-  variable,
-  type Term,
-} from './expressionTerms.ts';
-import { constants, ExpressionError, MOST_DEPTH, plainText, type PlainText } from './expressionText.ts';
-import { type MathTree, parseMath } from './mathParser.ts';
+import { closuresOf, mark } from './expressions/closures.ts';
+import { dualBeyondRange } from './expressions/beyondRange.ts';
+import { ExpressionError } from './expressions/expressionError.ts';
+import { operators, several, unary } from './expressions/functions.ts';
+import { limitAt } from './expressions/limits.ts';
+import { parseMath, type MathTree } from './expressions/mathParser.ts';
+import { constants, MOST_DEPTH, plainText, type PlainText } from './expressions/plainText.ts';
+import { node, number, variable, type Node } from './expressions/tree.ts';
 
-export { ExpressionError } from './expressionText.ts';
+export { ExpressionError } from './expressions/expressionError.ts';
 
 /**
  * Expressions typed by people or found in links and files of strangers. mathjs reads the text; its tree is then
@@ -26,6 +20,8 @@ export interface CompiledExpression {
   derivative(t: number): number;
   /** Whether t does not occur. */
   constant: boolean;
+  /** What it was compiled to, for other readings of it (`expressions/tree.ts`). */
+  readonly tree: Node;
 }
 
 const MOST_NODES = 200;
@@ -51,10 +47,31 @@ export function compileExpression(
 ): CompiledExpression {
   if (typeof text === 'number') {
     if (!Number.isFinite(text)) throw new ExpressionError(`${text} is not a finite number`);
-    return { evaluate: () => text, derivative: () => 0, constant: true };
+    return compiled(number(text));
   }
-  const term = new Compiler(plainText(text, options.variables), options.variables).compile();
-  return { evaluate: term.value, derivative: (t) => rateOf(term, t), constant: term.constant };
+  return compiled(new Compiler(plainText(text, options.variables), options.variables).compile());
+}
+
+/** Doubles first; where a number left their range, beyond it; where the formula has no value, its limit. */
+function compiled(tree: Node): CompiledExpression {
+  const closures = closuresOf(tree);
+  const value = (t: number): number => {
+    mark.lost = false;
+    const x = closures.value(t);
+    return mark.lost || x !== x ? dualBeyondRange(tree, t).value : x;
+  };
+  const rate = (t: number): number => {
+    mark.lost = false;
+    closures.dual(t);
+    return mark.lost || mark.rate !== mark.rate ? dualBeyondRange(tree, t).rate : mark.rate;
+  };
+  const orLimit =
+    (f: (t: number) => number) =>
+    (t: number): number => {
+      const x = f(t);
+      return x === x ? x : limitAt(f, t);
+    };
+  return { evaluate: orLimit(value), derivative: orLimit(rate), constant: tree.constant, tree };
 }
 
 /** Value of a constant expression. @throws ExpressionError */
@@ -88,7 +105,7 @@ class Compiler {
     this.variables = variables;
   }
 
-  compile(): Term {
+  compile(): Node {
     let tree: MathTree;
     try {
       tree = parseMath(this.source.text);
@@ -104,80 +121,83 @@ class Compiler {
     return this.walk(tree as unknown as AnyNode, 0);
   }
 
-  private walk(node: AnyNode, depth: number): Term {
+  private walk(part: AnyNode, depth: number): Node {
     if (++this.nodes > MOST_NODES) throw new ExpressionError(`it has more than ${MOST_NODES} parts`);
     if (depth > 2 * MOST_DEPTH) throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`);
-    const term = this.termOf(node, depth);
-    if (!term.constant) return term;
-    const value = term.value(0);
+    const made = this.nodeOf(part, depth);
+    if (!made.constant) return made;
+    const value = closuresOf(made).value(0);
     if (!Number.isFinite(value))
-      throw new ExpressionError(`${this.shown(node)} is ${value}; a finite number is needed`);
-    return fixed(value);
+      throw new ExpressionError(`${this.shown(part)} is ${value}; a finite number is needed`);
+    return number(value);
   }
 
-  private termOf(node: AnyNode, depth: number): Term {
-    const next = (child: AnyNode): Term => this.walk(child, depth + 1);
-    switch (node.type) {
+  private nodeOf(part: AnyNode, depth: number): Node {
+    const next = (child: AnyNode): Node => this.walk(child, depth + 1);
+    switch (part.type) {
       case 'ConstantNode':
-        if (typeof node.value !== 'number') throw new ExpressionError('only numbers are allowed');
-        return fixed(node.value);
+        if (typeof part.value !== 'number') throw new ExpressionError('only numbers are allowed');
+        return number(part.value);
       case 'ParenthesisNode':
-        return next(node.content);
+        return next(part.content);
       case 'SymbolNode':
-        return this.symbol(node.name);
+        return this.symbol(part.name);
       case 'OperatorNode':
         // A sum or product of many parts is a long list, not a deep nest: its left side keeps the depth.
         return this.operator(
-          node.op,
-          node.args.map((arg, i) => this.walk(arg, depth + (node.args.length === 2 && i === 0 ? 0 : 1))),
+          part.op,
+          part.args.map((arg, i) => this.walk(arg, depth + (part.args.length === 2 && i === 0 ? 0 : 1))),
         );
       case 'RelationalNode':
-        return this.chain(node.conditionals, node.params.map(next));
+        return this.chain(part.conditionals, part.params.map(next));
       case 'ConditionalNode':
-        return choice(next(node.condition), next(node.trueExpr), next(node.falseExpr));
+        return node('?', next(part.condition), next(part.trueExpr), next(part.falseExpr));
       case 'FunctionNode':
-        return this.call(node.fn.type === 'SymbolNode' ? node.fn.name : '', node.args.map(next));
+        return this.call(part.fn.type === 'SymbolNode' ? part.fn.name : '', part.args.map(next));
       default:
         throw new ExpressionError(`only a formula of numbers${this.variables.length > 0 ? ' and t' : ''} is allowed`);
     }
   }
 
-  private symbol(name: string): Term {
+  private symbol(name: string): Node {
     if (this.variables.includes(name)) return variable;
     const value = constants.get(name);
     if (value === undefined) throw new ExpressionError('unknown name');
-    return fixed(value);
+    return number(value);
   }
 
-  private operator(op: string, args: readonly Term[]): Term {
-    if (args.length === 1 && op === '-') return negated(args[0]!);
+  private operator(op: string, args: readonly Node[]): Node {
+    if (args.length === 1 && op === '-') return node('negative', args[0]!);
     if (args.length === 1 && op === '+') return args[0]!;
-    const combine = args.length === 2 ? operators.get(op) : undefined;
-    if (!combine)
-      throw new ExpressionError(`that operator is not allowed; right would be ${[...operators.keys()].join(' ')}`);
-    return combine(args[0]!, args[1]!);
+    if (args.length !== 2 || !operators.includes(op))
+      throw new ExpressionError(`that operator is not allowed; right would be ${operators.join(' ')}`);
+    return node(op, args[0]!, args[1]!);
   }
 
   /** All comparisons of `a < b < c` hold. The middle is evaluated twice, at one level of nesting only. */
-  private chain(conditionals: readonly string[], params: readonly Term[]): Term {
+  private chain(conditionals: readonly string[], params: readonly Node[]): Node {
     if (params.slice(1, -1).some((p) => p !== variable && !p.constant)) {
       throw new ExpressionError(
         'only t or a number may stand between two comparisons; join them by a product: (a < b) * (b < c)',
       );
     }
     const tests = conditionals.map((name, i) => this.operator(CHAINED.get(name) ?? '', [params[i]!, params[i + 1]!]));
-    return tests.reduce(operators.get('*')!);
+    return tests.reduce((all, test) => node('*', all, test));
   }
 
-  private call(name: string, args: readonly Term[]): Term {
-    const one = unary.get(name);
-    const [fewest, most, combine] = several.get(name) ?? [1, 1, null];
-    if (!one && !combine) throw new ExpressionError('unknown function');
+  private call(name: string, args: readonly Node[]): Node {
+    const bounds = unary.has(name) ? ([1, 1] as const) : several.get(name);
+    if (!bounds) throw new ExpressionError('unknown function');
+    const [fewest, most] = bounds;
     if (args.length < fewest || args.length > most) {
       const right = fewest === most ? `${fewest} argument${fewest === 1 ? '' : 's'}` : `${fewest} to ${most} arguments`;
       throw new ExpressionError(`${name} takes ${right}, not ${args.length}`, this.placeOf(name));
     }
-    return one ? applied(one, args[0]!) : args.reduce(combine!);
+    return args.length < 2 && several.has(name)
+      ? args[0]!
+      : args.length < 2
+        ? node(name, args[0]!)
+        : args.reduce((all, next) => node(name, all, next));
   }
 
   private placeOf(name: string): number | null {
@@ -185,8 +205,8 @@ class Compiler {
     return at < 0 ? null : this.source.origin(at);
   }
 
-  private shown(node: AnyNode): string {
-    const text = String(node as unknown as MathTree);
+  private shown(part: AnyNode): string {
+    const text = String(part as unknown as MathTree);
     return `"${text.length > 40 ? `${text.slice(0, 39)}…` : text}"`;
   }
 }

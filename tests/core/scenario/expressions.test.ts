@@ -35,7 +35,68 @@ describe('values', () => {
     ['tau', 2 * Math.PI],
     ['1 rad', 1],
     ['(0 < 1 < 2) + (3 == 3)', 2],
-  ])('%s', (text, value) => expect(evaluateNumber(text)).toBeCloseTo(value, 14));
+    ['1/2 deg', Math.PI / 360],
+    ['1/2°', Math.PI / 360],
+    ['-3/4 pi', -0.75 * Math.PI],
+    ['1/2 (1+2)', 1.5],
+    ['2 pi/4', Math.PI / 2],
+    ['1/(2 pi)', 0.5 / Math.PI],
+    ['20 deg * sin(pi/2)', Math.PI / 9],
+    ['10²³', 1e23],
+    ['10⁻³', 1e-3],
+    ['2 pi²', 2 * Math.PI ** 2],
+    ['(1+2)² pi', 9 * Math.PI],
+    ['2^(1/2) pi', Math.PI * Math.SQRT2],
+    ['2^3 deg', (8 * Math.PI) / 180],
+  ])('%s', (text, value) => expect(evaluateNumber(text) / value).toBeCloseTo(1, 14));
+
+  it.each([
+    ['pi/2 deg', '(pi/2) deg or pi/(2 deg)'],
+    ['pi/2°', '(pi/2) ° or pi/(2 °)'],
+    ['2 pi/4 pi', '(2 pi/4) pi or 2 pi/(4 pi)'],
+    ['1/2pi', '(1/2) pi or 1/(2 pi)'],
+    ['6/2(1+2)', '(6/2) (1+2) or 6/(2 (1+2))'],
+    ['1 + sin(t)/2 cos(t)', '(sin(t)/2) cos(t) or sin(t)/(2 cos(t))'],
+    ['max(1, t/2 pi)', '(t/2) pi or t/(2 pi)'],
+    ['t > 1 ? 1/t pi : 0', '(1/t) pi or 1/(t pi)'],
+    ['3/4/5 deg', '(3/4/5) deg or 3/4/(5 deg)'],
+    ['e^-2t', '(e^-2) t or e^(-2 t)'],
+    ['sin(t)^2t', '(sin(t)^2) t or sin(t)^(2 t)'],
+    ['10°²', '(10 deg)^'],
+    ['2³^2', '(x³)^y or x^(3^y)'],
+    ['sin²(t)', 'sin(…)²'],
+    ['²', 'nothing before it'],
+    ['2 + ²', 'nothing before it'],
+  ])('%s is refused with both readings', (text, readings) => expect(refusal(text).message).toContain(readings));
+
+  it('a product without a sign is one with a sign, or refused', () => {
+    const factor = fc.constantFrom('2', '.5', 't', 'pi', '(t+1)', 'sin(t)', 'deg', 't^2', '(-3)', 'e^(-1)');
+    const join = fc.constantFrom(' ', '', '*', ' * ', '/', ' / ', '+', ' - ');
+    fc.assert(
+      fc.property(fc.array(fc.tuple(factor, join), { minLength: 1, maxLength: 6 }), factor, (parts, last) => {
+        const text = parts.map(([f, j]) => f + j).join('') + last;
+        let value: number;
+        try {
+          value = of(text).evaluate(0.7);
+        } catch (error) {
+          return void expect(error).toBeInstanceOf(ExpressionError);
+        }
+        // The same text with every product signed, in the language of the test itself.
+        const tokens = text.match(/[\d.]+|[a-z]+|\^-?|[()+\-*/]/g)!;
+        let signed = '';
+        tokens.forEach((token, i) => {
+          const before = tokens[i - 1] ?? '';
+          const operand = /^[\d.a-z(]/.test(token);
+          if (operand && /[\w.)]$/.test(before) && before !== 'sin') signed += '*';
+          signed += token.replace('^', '**');
+        });
+        const run = new Function('t', 'pi', 'e', 'deg', 'sin', `return ${signed}`) as (...x: unknown[]) => number;
+        const expected = run(0.7, Math.PI, Math.E, Math.PI / 180, Math.sin);
+        expect(Math.abs(value - expected)).toBeLessThanOrEqual(1e-12 * Math.max(1, Math.abs(expected)));
+      }),
+      { numRuns: 2000 },
+    );
+  });
 
   it('the disturbance and the gait of the specification', () => {
     const push = of('22*exp(-10*(t-8)^2) - 22*exp(-10*(t-12)^2)');
@@ -126,6 +187,19 @@ describe('derivatives', () => {
     ['t > 1', 1, 0],
     ['sign(t)', 1, 0],
   ])('of %s at %f', (text, t, slope) => expect(of(text).derivative(t)).toBeCloseTo(slope, 12));
+
+  it.each([
+    ['sin(t)/t', 0, 0],
+    ['(1-cos(t))/t', 0, 0.5],
+    ['sin(pi*(t-2))/(pi*(t-2))', 2, 0],
+    ['t^2*log(t)', 0, 0],
+    ['hypot(t, 0)', 0, 1],
+    ['10 deg/(1+exp(100*(t-1)))', 8.2, 0],
+    ['10 deg/(1+exp(100*(t-1)))', 1e300, 0],
+    ['1e200*atan(1e200*t)', 1, 1],
+    ['exp(1000*t)/exp(999*t)', 1, Math.E],
+    ['1/(1+exp(exp(exp(t))))', 1e5, 0],
+  ])('of %s at %f, its limit', (text, t, slope) => expect(of(text).derivative(t)).toBeCloseTo(slope, 9));
 });
 
 describe('texts of strangers', () => {

@@ -1,15 +1,6 @@
-import { several, unary } from './expressionTerms.ts';
-
-/** A text that is no allowed expression: what is wrong, where, what would be right. */
-export class ExpressionError extends Error {
-  /** 0-based character in the text as given, or null when it concerns the whole. */
-  readonly position: number | null;
-  constructor(message: string, position: number | null = null) {
-    super(position === null ? message : `${message} (at character ${position + 1})`);
-    this.name = 'ExpressionError';
-    this.position = position;
-  }
-}
+import { ExpressionError } from './expressionError.ts';
+import { several, unary } from './functions.ts';
+import { refuseAmbiguous, type Token } from './reading.ts';
 
 export const MOST_CHARACTERS = 1000;
 /** Brackets, exponents, signs and conditions within each other. */
@@ -24,6 +15,8 @@ export const constants: ReadonlyMap<string, number> = new Map([
   ['rad', 1],
 ]);
 
+const isFunction = (name: string): boolean => unary.has(name) || several.has(name);
+
 /** Characters that keyboards, documents and other programs bring. */
 const SPELLINGS = new Map([
   ['−', '-'],
@@ -35,8 +28,6 @@ const SPELLINGS = new Map([
   ['π', ' pi '],
   ['°', ' deg '],
   ['º', ' deg '],
-  ['²', '^2'],
-  ['³', '^3'],
   ['≤', '<='],
   ['≥', '>='],
   ['≠', '!='],
@@ -45,6 +36,9 @@ const SPELLINGS = new Map([
   ['\u2009', ' '],
   ['\u202f', ' '],
 ]);
+
+/** Raised digits and signs: a run of them is one exponent. */
+const RAISED = new Map([...'⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻'].map((raised, i) => [raised, '0123456789+-'[i]!]));
 
 const TOKEN = /\s+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[A-Za-z_]\w*|<=|>=|==|!=|[-+*/^<>?:(),]/y;
 
@@ -82,15 +76,36 @@ export function plainText(original: string, variables: readonly string[]): Plain
   let text = '';
   const from: number[] = [];
   for (let i = 0; i < original.length; i++) {
-    const power = original.startsWith('**', i);
-    const piece = power ? '^' : (SPELLINGS.get(original[i]!) ?? original[i]!);
-    for (let k = 0; k < piece.length; k++) from.push(i);
+    const start = i;
+    let piece = SPELLINGS.get(original[i]!) ?? original[i]!;
+    if (original.startsWith('**', i)) {
+      piece = '^';
+      i++;
+    } else if (RAISED.has(piece)) {
+      while (RAISED.has(original[i + 1]!)) i++;
+      piece = raisedPower(original, start, i + 1);
+    }
+    for (let k = 0; k < piece.length; k++) from.push(start);
     text += piece;
-    if (power) i++;
   }
   const plain = { text, origin: (at: number) => from[at] ?? original.length };
   scan(plain, original, variables);
   return plain;
+}
+
+/** `10²³` is 10^(23). What stands before must be what is raised, and nothing may raise that again. */
+function raisedPower(original: string, start: number, end: number): string {
+  const written = original.slice(start, end);
+  const digits = [...written].map((c) => RAISED.get(c)!).join('');
+  const before = original.slice(0, start).trimEnd();
+  const name = /[A-Za-z_]\w*$/.exec(before)?.[0];
+  if (name && isFunction(name))
+    throw new ExpressionError(`write the power behind the brackets: ${name}(…)${written}`, start);
+  if (!/^[+-]?\d+$/.test(digits)) throw new ExpressionError(`"${written}" is no exponent; write ^(…)`, start);
+  if (!/[\w).πτ°º]$/.test(before)) throw new ExpressionError(`"${written}" has nothing before it to raise`, start);
+  if (/^\s*(\^|\*\*)/.test(original.slice(end)))
+    throw new ExpressionError(`a power of a power needs brackets: (x${written})^y or x^(${digits}^y)?`, start);
+  return `^(${digits})`;
 }
 
 function scan({ text, origin }: PlainText, original: string, variables: readonly string[]): void {
@@ -98,6 +113,7 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
   let nested = 0;
   let powers = 0;
   let run = 0;
+  const tokens: Token[] = [];
   for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
     TOKEN.lastIndex = at;
     const token = TOKEN.exec(text)?.[0];
@@ -110,6 +126,7 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
     if (token === ',' && open === 0)
       throw new ExpressionError('a "," has no place here; decimals are written with a point', origin(at));
     if (token === '?') nested++;
+    if (!/^\s/.test(token)) tokens.push({ text: token, at, end: TOKEN.lastIndex });
     // Exponents and runs of signs are read by recursion too.
     if (token === '^') powers++;
     run = token === '-' || token === '+' ? run + 1 : /^\s/.test(token) ? run : 0;
@@ -117,13 +134,19 @@ function scan({ text, origin }: PlainText, original: string, variables: readonly
       throw new ExpressionError(`it is nested deeper than ${MOST_DEPTH}`, origin(at));
     if (/^[A-Za-z_]/.test(token)) checkName(token, /^\s*\(/.test(text.slice(TOKEN.lastIndex)), origin(at), variables);
   }
-  if (open > 0) throw new ExpressionError(open === 1 ? 'a ")" is missing' : `${open} ")" are missing`, original.length);
+  if (open === 0) {
+    const written = (from: number, to: number): string => {
+      let end = to;
+      while (end < text.length && origin(end) === origin(to - 1)) end++;
+      return original.slice(origin(from), origin(end)).trim();
+    };
+    refuseAmbiguous(tokens, isFunction, written, origin);
+  } else throw new ExpressionError(open === 1 ? 'a ")" is missing' : `${open} ")" are missing`, original.length);
 }
 
 function checkName(name: string, called: boolean, position: number, variables: readonly string[]): void {
-  const isFunction = unary.has(name) || several.has(name);
   const isNumber = variables.includes(name) || constants.has(name);
-  if (called ? isFunction : isNumber) return;
+  if (called ? isFunction(name) : isNumber) return;
   const shown = name.length > 40 ? `${name.slice(0, 39)}…` : name;
   if (called && isNumber) throw new ExpressionError(`"${name}" is not a function; write ${name} * (…)`, position);
   if (called)
@@ -131,7 +154,7 @@ function checkName(name: string, called: boolean, position: number, variables: r
       `unknown function "${shown}"; known: ${[...unary.keys(), ...several.keys()].join(', ')}`,
       position,
     );
-  if (isFunction) throw new ExpressionError(`"${name}" is a function; write ${name}(…)`, position);
+  if (isFunction(name)) throw new ExpressionError(`"${name}" is a function; write ${name}(…)`, position);
   if (name === 't') throw new ExpressionError('this is a constant, so "t" has no place in it', position);
   throw new ExpressionError(
     `unknown name "${shown}"; known: ${[...variables, ...constants.keys()].join(', ')}`,

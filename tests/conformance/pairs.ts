@@ -24,6 +24,8 @@ const implicit: Settings = { implicit: true, sharp: () => tolerance };
 export const settings: Readonly<Record<MethodId, Settings>> = {
   dopri5: explicit,
   dop853: explicit,
+  tsit5: explicit,
+  bs23: explicit,
   euler: { implicit: false, sharp: () => ({ step: 1e-4 }), order: 1, coarse: 2e-4, quick: 2e-4 },
   rk4: { implicit: false, sharp: () => ({ step: 1e-3 }), quick: 2e-3 },
   'adams-moulton': { implicit: true, sharp: () => ({ step: 1e-3 }), order: 2, coarse: 2e-3, quick: 5e-4 },

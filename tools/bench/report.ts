@@ -27,6 +27,8 @@ const ERRORS = [1e-3, 1e-5, 1e-7, 1e-9] as const;
 const COLORS: Readonly<Record<string, string>> = {
   dopri5: '#0b63b0',
   dop853: '#d1480b',
+  tsit5: '#1b9ed6',
+  bs23: '#8a5a3c',
   euler: '#7d8590',
   rk4: '#a07400',
   'adams-moulton': '#7a4fb5',

@@ -1,3 +1,4 @@
+import { methods, type MethodId } from '../integrators/methods.ts';
 import type { MethodOptions, ScenarioFile } from '../scenario/types.ts';
 
 /** Named choices for comparing methods: the report's four, and those beside them. */
@@ -40,15 +41,24 @@ export const reportMethods: readonly MethodChoice[] = [
   },
 ];
 
-export const otherMethods: readonly MethodChoice[] = [
-  { id: 'dopri5', label: 'Dormand–Prince 5(4)', method: { name: 'dopri5', ...tolerances } },
-  { id: 'dop853', label: 'DOP853', method: { name: 'dop853', ...tolerances } },
-  { id: 'gauss', label: 'Gauss, 3 stages', method: { name: 'gauss', stages: 3, ...tolerances } },
-  { id: 'bdf', label: 'BDF', method: { name: 'bdf', ...tolerances } },
-  { id: 'rk4', label: 'Runge–Kutta 4, fixed', method: { name: 'rk4', step: 0.001 } },
-  { id: 'adams-moulton', label: 'Adams–Moulton, fixed', method: { name: 'adams-moulton', step: 0.001 } },
-  { id: 'euler', label: 'Euler, fixed', method: { name: 'euler', step: 0.0005 } },
-];
+/** Words and settings of those that need more than a name and tolerances. */
+const particular: Readonly<Partial<Record<MethodId, { label: string; settings: Partial<MethodOptions> }>>> = {
+  dop853: { label: 'DOP853', settings: tolerances },
+  gauss: { label: 'Gauss, 3 stages', settings: { stages: 3, ...tolerances } },
+  rk4: { label: 'Runge–Kutta 4, fixed', settings: { step: 0.001 } },
+  'adams-moulton': { label: 'Adams–Moulton, fixed', settings: { step: 0.001 } },
+  euler: { label: 'Euler, fixed', settings: { step: 0.0005 } },
+};
+
+/** Every method that is none of the report's, those of fixed step last. */
+export const otherMethods: readonly MethodChoice[] = [true, false].flatMap((adaptive) =>
+  methods
+    .filter((m) => m.adaptive === adaptive && m.id !== 'radau' && m.id !== 'ida')
+    .map(({ id, label }) => {
+      const { label: words, settings } = particular[id] ?? { label, settings: tolerances };
+      return { id, label: words, method: { name: id, ...settings } };
+    }),
+);
 
 /** A comparison ready to run: methods, which of them to begin with, and what to draw. */
 export interface MethodSet {

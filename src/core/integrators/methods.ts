@@ -15,6 +15,8 @@ export interface MethodInfo {
 export const methods = [
   { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true },
   { id: 'dop853', label: 'Dormand–Prince 8(5,3)', adaptive: true },
+  { id: 'tsit5', label: 'Tsitouras 5(4)', adaptive: true },
+  { id: 'bs23', label: 'Bogacki–Shampine 3(2)', adaptive: true },
   { id: 'euler', label: 'Euler', adaptive: false },
   { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false },
   { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false },

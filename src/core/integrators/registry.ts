@@ -3,17 +3,28 @@ import { Bdf } from './multistep/bdf.ts';
 import { Collocation } from './collocation/collocation.ts';
 import { gauss, radau } from './collocation/collocationCoefficients.ts';
 import type { OdeProblem, Stepper, StepperOptions } from './contract.ts';
-import { Dop853 } from './runge-kutta/dop853.ts';
-import { Dopri5 } from './runge-kutta/dopri5.ts';
+import { EmbeddedRungeKutta } from './runge-kutta/embeddedRungeKutta.ts';
 import { Euler, Rk4 } from './runge-kutta/explicitFixed.ts';
+import type { EmbeddedTableau } from './runge-kutta/tableau.ts';
+import { bs23 } from './runge-kutta/tableaus/bs23.ts';
+import { dop853 } from './runge-kutta/tableaus/dop853.ts';
+import { dopri5 } from './runge-kutta/tableaus/dopri5.ts';
+import { tsit5 } from './runge-kutta/tableaus/tsit5.ts';
 import type { OdeMethodId } from './methods.ts';
+
+const embedded =
+  (tableau: EmbeddedTableau): Create =>
+  (problem, options) =>
+    new EmbeddedRungeKutta(problem, options, tableau);
 
 type Create = (problem: OdeProblem, options: StepperOptions) => Stepper;
 
 /** How each method of `methods.ts` is made, but `ida`. */
 const steppers: Readonly<Record<OdeMethodId, Create>> = {
-  dopri5: (problem, options) => new Dopri5(problem, options),
-  dop853: (problem, options) => new Dop853(problem, options),
+  dopri5: embedded(dopri5),
+  dop853: embedded(dop853),
+  tsit5: embedded(tsit5),
+  bs23: embedded(bs23),
   euler: (problem, options) => new Euler(problem, options),
   rk4: (problem, options) => new Rk4(problem, options),
   'adams-moulton': (problem, options) => new AdamsMoulton(problem, options),

@@ -1,3 +1,5 @@
+import { methods } from '../integrators/methods.ts';
+
 /** What a scenario means where it is silent, and the names it may use (spec, section 6). */
 export const DEFAULTS = {
   duration: 10,
@@ -9,17 +11,7 @@ export const DEFAULTS = {
   scheduled: 8,
 } as const;
 
-export const METHOD_NAMES = [
-  'euler',
-  'rk4',
-  'adams-moulton',
-  'dopri5',
-  'dop853',
-  'gauss',
-  'radau',
-  'bdf',
-  'ida',
-] as const;
+export const METHOD_NAMES = methods.map((m) => m.id);
 export const FORMULATION_NAMES = ['multipliers', 'nullspace-qr', 'blt'] as const;
 export const EVENT_NAMES = ['touchdown', 'constraint-singular'] as const;
 export const COLUMN_NAMES = ['lambda', 'energy', 'residual', 'inputs'] as const;

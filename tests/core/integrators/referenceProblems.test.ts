@@ -21,7 +21,7 @@ const sharp = (methods as readonly MethodInfo[])
   .filter((m) => m.adaptive && m.id !== 'ida')
   .flatMap(({ id, stages }) =>
     (stages ?? [undefined])
-      .filter((s) => !(id === 'gauss' && s === 1) && !(id === 'radau' && s === 2))
+      .filter((s) => id !== 'bs23' && !(id === 'gauss' && s === 1) && !(id === 'radau' && s === 2))
       .map((s) => ({ name: s ? `${id} ${s}` : id, id, stages: s })),
   );
 

@@ -12,6 +12,8 @@ import { derivativeOf, integralOf, lagrange, nodePolynomial, valueAt } from '../
 export interface Tableau {
   readonly stages: number;
   readonly order: number;
+  /** The error estimate falls like h to this power plus one. */
+  readonly estimateOrder: number;
   /** Nodes. */
   readonly c: Float64Array;
   /** Runge-Kutta matrix, row-major: a_ij is the integral of the j-th Lagrange polynomial of the nodes to c_i. */
@@ -79,14 +81,16 @@ function tableau(nodes: number[], order: number): Tableau {
     const integral = integralOf(lagrange(nodes, j));
     nodes.forEach((c, i) => (A[i * s + j] = valueAt(integral, c)));
   });
+  const deep = order > s + 1;
   return {
     stages: s,
     order,
+    estimateOrder: deep ? s + 1 : s,
     c: Float64Array.from(nodes),
     A,
     transform: transformOf(nodes),
     startSlope: slopeWeights(nodes, 0),
-    corrections: correctionsOf(nodes, order > s + 1 ? 3 : 1),
+    corrections: correctionsOf(nodes, deep ? 3 : 1),
   };
 }
 

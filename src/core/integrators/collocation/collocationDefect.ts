@@ -24,8 +24,6 @@ const LENIENCE = 0.3;
 const STRICTNESS = 2;
 
 export class CollocationDefect {
-  /** The estimate falls like h to this power plus one. */
-  readonly estimateOrder: number;
   private readonly problem: OdeProblem;
   private readonly counters: Counters;
   private readonly tableau: Tableau;
@@ -43,7 +41,6 @@ export class CollocationDefect {
     this.tableau = tableau;
     this.stages = stages;
     this.shallow = tableau.corrections.depth === 1;
-    this.estimateOrder = this.shallow ? tableau.stages : tableau.stages + 1;
     this.start = new Float64Array(n);
     this.point = new Float64Array(n);
     this.slope = new Float64Array(n);

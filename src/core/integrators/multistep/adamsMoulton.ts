@@ -1,6 +1,7 @@
-import { zeroCounters, type OdeProblem, type StepFailure, type Stepper, type StepperOptions } from '../contract.ts';
-import { allFinite, fixedStep, hermite } from '../runge-kutta/explicitFixed.ts';
+import type { OdeProblem, StepFailure, StepperOptions } from '../contract.ts';
 import { luFactor, luSolve } from '../../linalg/lu.ts';
+import { FixedStepper } from '../shared/fixedStepper.ts';
+import { hermite } from '../shared/interpolation.ts';
 import {
   Jacobian,
   PATIENT_ITERATIONS,
@@ -27,14 +28,8 @@ import {
 
 const MOST_ITERATIONS = 10;
 
-export class AdamsMoulton implements Stepper {
-  t = 0;
-  previousT = 0;
-  readonly y: Float64Array;
-  readonly counters = zeroCounters();
-
-  private readonly problem: OdeProblem;
-  private readonly options: StepperOptions;
+export class AdamsMoulton extends FixedStepper {
+  protected readonly endsWithSlope = true;
   private readonly n: number;
   private readonly newton = new SimplifiedNewton(MOST_ITERATIONS);
   private readonly patientNewton = new SimplifiedNewton(PATIENT_ITERATIONS);
@@ -45,89 +40,59 @@ export class AdamsMoulton implements Stepper {
   private factoredFor = 0;
   /** The Jacobian is good enough to be used again. */
   private known = false;
+  /** The last step's increment may start the next iteration. */
+  private guess = false;
   private readonly scale: Float64Array;
   /** y1 - y0 of the step being tried. */
   private readonly z: Float64Array;
   private readonly increment: Float64Array;
-  private readonly yNew: Float64Array;
-  private readonly fStart: Float64Array;
-  private readonly fEnd: Float64Array;
-  private readonly y0: Float64Array;
-  private readonly y1: Float64Array;
-  private readonly f0: Float64Array;
-  private readonly f1: Float64Array;
   private h = 0;
-  private stepTaken = 0;
-  /** `fStart` is f(t, y). */
-  private fresh = false;
 
   constructor(problem: OdeProblem, options: StepperOptions) {
-    const n = problem.dimension;
-    const vector = (): Float64Array => new Float64Array(n);
-    this.problem = problem;
-    this.options = options;
-    this.n = n;
+    super(problem, options);
+    this.n = problem.dimension;
     this.jacobian = new Jacobian(problem, this.counters);
-    this.matrix = new Float64Array(n * n);
-    this.pivots = new Int32Array(n);
-    this.y = vector();
-    this.scale = vector();
-    this.z = vector();
-    this.increment = vector();
-    this.yNew = vector();
-    this.fStart = vector();
-    this.fEnd = vector();
-    this.y0 = vector();
-    this.y1 = vector();
-    this.f0 = vector();
-    this.f1 = vector();
+    this.matrix = new Float64Array(this.n * this.n);
+    this.pivots = new Int32Array(this.n);
+    this.scale = this.vector();
+    this.z = this.vector();
+    this.increment = this.vector();
   }
 
-  reset(t: number, y: Float64Array): void {
-    this.t = this.previousT = t;
-    this.y.set(y);
-    this.y0.set(y);
-    this.y1.set(y);
-    this.stepTaken = 0;
-    this.factoredFor = 0;
-    this.known = false;
-    this.fresh = false;
-    Object.assign(this.counters, zeroCounters());
+  override reset(t: number, y: Float64Array): void {
+    super.reset(t, y);
+    this.forget();
   }
 
-  /** The Jacobian stays: it decides how fast Newton's method converges, not to what. */
-  stateChanged(): void {
-    this.fresh = false;
+  /** A moved state keeps the Jacobian: it decides how fast Newton's method converges, not to what. A jump does not. */
+  override restart(): void {
+    super.restart();
+    this.forget();
   }
 
-  step(limit: number): StepFailure | null {
+  protected advance(h: number): StepFailure | null {
     const { y } = this;
-    this.h = fixedStep(this.options, limit - this.t);
-    if (!(this.t + this.h > this.t)) return 'step-too-small';
-    if (!this.fresh && !this.f(this.t, y, this.fStart)) return this.problem.failure ?? 'non-finite';
-    if (!allFinite(this.fStart)) return 'non-finite';
-    this.fresh = true;
+    this.h = h;
     tightScale(y, this.scale);
-    let outcome = this.solve(this.known, this.stepTaken > 0);
+    let outcome = this.solve(this.known, this.guess && this.stepTaken > 0);
     // Once more with what belongs to this step alone: its own Jacobian, and no guess.
     if (outcome !== 'converged') outcome = this.solve(false, false);
     if (outcome === 'slow') return 'newton';
-    if (outcome === 'no-value') return this.problem.failure ?? 'non-finite';
+    if (outcome === 'no-value') return this.noValue();
     for (let i = 0; i < y.length; i++) this.yNew[i] = y[i]! + this.z[i]!;
-    if (!this.f(this.t + this.h, this.yNew, this.fEnd)) return this.problem.failure ?? 'non-finite';
-    if (!allFinite(this.fEnd)) return 'non-finite';
-    this.accept(limit);
+    if (!this.f(this.t + h, this.yNew, this.fEnd)) return this.noValue();
+    this.guess = true;
     return null;
   }
 
   interpolate(t: number, out: Float64Array): void {
-    const s = this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken : 1;
-    hermite(s, this.stepTaken, this.y0, this.f0, this.y1, this.f1, out);
+    hermite(this.fraction(t), this.stepTaken, this.y0, this.f0, this.y1, this.f1, out);
   }
 
-  private f(t: number, y: Float64Array, out: Float64Array): boolean {
-    this.counters.evaluations++;
-    return this.problem.derivative(t, y, out);
+  private forget(): void {
+    this.factoredFor = 0;
+    this.known = false;
+    this.guess = false;
   }
 
   /** `z` by Newton's method, with the Jacobian at hand or a new one, from the last step's increment or from zero. */
@@ -172,18 +137,4 @@ export class AdamsMoulton implements Stepper {
     }
     return Math.sqrt(sum / n);
   };
-
-  private accept(limit: number): void {
-    const { h } = this;
-    this.previousT = this.t;
-    this.stepTaken = h;
-    this.t = h === limit - this.t ? limit : this.t + h;
-    this.y0.set(this.y);
-    this.y1.set(this.yNew);
-    this.y.set(this.yNew);
-    this.f0.set(this.fStart);
-    this.f1.set(this.fEnd);
-    this.fStart.set(this.fEnd);
-    this.counters.steps++;
-  }
 }

@@ -1,7 +1,7 @@
 import { GAMMA, type BackwardDifferences } from './backwardDifferences.ts';
 import type { BdfEquations } from './bdfEquations.ts';
 import type { StepperOptions } from '../contract.ts';
-import { allFinite } from '../runge-kutta/explicitFixed.ts';
+import { allFinite } from '../shared/finite.ts';
 import {
   PATIENT_ITERATIONS,
   SimplifiedNewton,

@@ -1,8 +1,10 @@
 import { BackwardDifferences, GAMMA, MAX_ORDER, valueAt } from './backwardDifferences.ts';
 import { BdfCorrector, MOST_ITERATIONS } from './bdfCorrector.ts';
 import type { BdfEquations } from './bdfEquations.ts';
-import { zeroCounters, type Counters, type StepFailure, type Stepper, type StepperOptions } from '../contract.ts';
-import { allFinite } from '../runge-kutta/explicitFixed.ts';
+import type { StepFailure, StepperOptions } from '../contract.ts';
+import { AdaptiveStepper } from '../shared/adaptiveStepper.ts';
+import { allFinite } from '../shared/finite.ts';
+import { GROW_MOST, SAFETY, SHRINK_MOST } from '../shared/stepControl.ts';
 
 /**
  * What `bdf` and `ida` have in common: backward differentiation of order 1 to 5 for F(t, y, y') = 0, with variable
@@ -23,13 +25,8 @@ import { allFinite } from '../runge-kutta/explicitFixed.ts';
 
 /** No step is changed for less than this gain, so that the factors of the matrix serve on. */
 const GROW_FROM = 1.2;
-const GROW_MOST = 10;
-const SHRINK_MOST = 0.2;
-const SAFETY = 0.9;
 /** After so many rejections of one step the history is no help: order 1 (as DASSL: Brenan, Campbell and Petzold, chapter 5). */
 const REJECTIONS_TO_RESTART = 3;
-/** A step below this many units in the last place of t cannot advance it reliably. */
-const SMALLEST_ULPS = 16;
 /** Moves of y beyond so many units of the tolerance begin a new history. */
 const RESTART_BEYOND = 100;
 /** A spacing closer than this to the step is the step: the last digits of the limit are worth no new factors. */
@@ -41,14 +38,8 @@ export interface BdfTuning {
   past?: (t: number, y: Float64Array) => void;
 }
 
-export class BdfStepper implements Stepper {
-  t = 0;
-  previousT = 0;
-  readonly y: Float64Array;
-  readonly counters: Counters;
-
+export class BdfStepper extends AdaptiveStepper {
   private readonly equations: BdfEquations;
-  private readonly options: StepperOptions;
   private readonly tuning: BdfTuning;
   private readonly maxOrder: number;
   private readonly controlled: boolean;
@@ -57,36 +48,33 @@ export class BdfStepper implements Stepper {
   /** The polynomial of the last step. */
   private readonly kept: Float64Array[];
   private keptOrder = 0;
-  private stepTaken = 0;
-  private h = 0;
-  private tNew = 0;
   private equalSteps = 0;
   private started = false;
   private readonly scratch: Float64Array;
 
   constructor(equations: BdfEquations, options: StepperOptions, tuning: BdfTuning) {
+    super(equations.dimension, options, equations.counters);
     const vector = (): Float64Array => new Float64Array(equations.dimension);
     this.equations = equations;
-    this.counters = equations.counters;
-    this.options = options;
     this.tuning = tuning;
     this.maxOrder = tuning.maxOrder ?? MAX_ORDER;
     this.controlled = options.rtol < Infinity;
     this.corrector = new BdfCorrector(equations, options);
     this.history = new BackwardDifferences(equations.dimension);
     this.kept = Array.from({ length: MAX_ORDER + 1 }, vector);
-    this.y = vector();
     this.scratch = vector();
   }
 
-  reset(t: number, y: Float64Array): void {
-    this.t = this.previousT = t;
-    this.y.set(y);
+  /** Order of the next step; 1 at a start. */
+  get order(): number {
+    return this.started ? this.history.order : 1;
+  }
+
+  override reset(t: number, y: Float64Array): void {
+    super.reset(t, y);
     this.kept[0]!.set(y);
-    this.keptOrder = this.stepTaken = 0;
-    this.h = this.options.step ?? 0;
+    this.keptOrder = 0;
     this.started = false;
-    Object.assign(this.counters, zeroCounters());
   }
 
   stateChanged(): void {
@@ -94,49 +82,67 @@ export class BdfStepper implements Stepper {
     const { y, scratch, corrector } = this;
     const newest = this.history.D[0]!;
     for (let i = 0; i < y.length; i++) scratch[i] = y[i]! - newest[i]!;
-    if (this.controlled && !(corrector.norm(scratch, 1) <= RESTART_BEYOND)) {
-      this.started = false;
-      this.h = this.options.step ?? 0;
-    }
+    if (this.controlled && !(corrector.norm(scratch, 1) <= RESTART_BEYOND)) this.restart();
     newest.set(y);
   }
 
-  step(limit: number): StepFailure | null {
-    const { corrector, history } = this;
-    if (!this.started && !this.start()) return this.equations.failure ?? 'non-finite';
-    const smallest = SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(this.t), Math.abs(limit - this.t));
-    corrector.current = false;
-    for (let rejections = 1; ; rejections++) {
-      const h = this.setStep(limit);
-      if (!(this.t + h > this.t)) return 'step-too-small';
-      const outcome = corrector.solve(this.tNew, history);
-      const error = outcome === 'converged' ? corrector.norm(corrector.d, this.errorConstant(history.order)) : Infinity;
-      if (outcome === 'converged' && (error <= 1 || !this.controlled)) {
-        this.accept(h, error);
-        return null;
-      }
-      this.counters.rejected++;
-      if (outcome === 'converged') this.h = h * this.shrink(error, rejections);
-      else if (corrector.current) this.h = h / 2;
-      else corrector.forgetMatrix();
-      if (this.h > smallest) continue;
-      if (outcome === 'converged') return 'step-too-small';
-      return this.equations.failure ?? (outcome === 'slow' ? 'newton' : 'non-finite');
-    }
+  restart(): void {
+    this.started = false;
+    this.h = this.options.step ?? 0;
   }
 
   interpolate(t: number, out: Float64Array): void {
-    const s = this.stepTaken > 0 ? (t - this.previousT) / this.stepTaken - 1 : 0;
-    valueAt(this.kept, this.keptOrder, s, out);
+    valueAt(this.kept, this.keptOrder, this.fraction(t) - 1, out);
   }
 
+  protected get reason(): string | null {
+    return this.equations.failure;
+  }
+
+  protected begin(): StepFailure | null {
+    this.corrector.current = false;
+    return this.started || this.start() ? null : (this.reason ?? 'non-finite');
+  }
+
+  protected attempt(h: number, end: number): number {
+    const { corrector, history } = this;
+    if (Math.abs(h / history.spacing - 1) > SAME_STEP) {
+      history.respace(h);
+      this.equalSteps = 0;
+    }
+    this.outcome = corrector.solve(end, history);
+    if (this.outcome !== 'converged') return Infinity;
+    const error = corrector.norm(corrector.d, this.errorConstant(history.order));
+    return this.controlled ? error : 0;
+  }
+
+  protected retry(h: number, error: number, tries: number): number {
+    const { corrector } = this;
+    if (this.outcome === 'converged') return h * this.shrink(error, tries);
+    if (corrector.current) return h / 2;
+    corrector.forgetMatrix();
+    return h;
+  }
+
+  protected accept(h: number, error: number): void {
+    const { history, y, kept } = this;
+    history.advance(this.corrector.d);
+    this.keptOrder = history.order;
+    for (let j = 0; j <= history.order; j++) kept[j]!.set(history.D[j]!);
+    y.set(history.D[0]!);
+    this.h = h;
+    this.equalSteps++;
+    if (this.equalSteps > history.order) this.chooseNext(h, error);
+  }
+
+  /** Order 1 from f at (t, y), or what `tuning` says of the past. */
   private start(): boolean {
     const { y, scratch: slope, history, corrector, equations, tuning, maxOrder } = this;
     if (!equations.begin(this.t, y, slope) || !allFinite(slope) || !allFinite(y)) return false;
     if (this.keptOrder === 0) this.kept[0]!.set(y);
     corrector.scaleBy(y, 1);
     if (!(this.h > 0)) this.h = equations.firstStep(this.t, y, slope, corrector.scale);
-    this.h = Math.min(this.h, this.options.maxStep ?? Infinity);
+    this.h = this.bound(this.h);
     if (tuning.past) {
       const values = Array.from({ length: maxOrder + 1 }, () => y.slice());
       for (let j = 1; j <= maxOrder; j++) tuning.past(this.t - j * this.h, values[j]!);
@@ -145,21 +151,6 @@ export class BdfStepper implements Stepper {
     this.equalSteps = 0;
     corrector.reset();
     return (this.started = true);
-  }
-
-  /** The step to try: at most maxStep, stretched or halved so that no sliver is left before the limit. */
-  private setStep(limit: number): number {
-    const left = limit - this.t;
-    let h = Math.min(this.h, this.options.maxStep ?? Infinity);
-    const last = h >= left || 1.01 * h >= left;
-    if (last) h = left;
-    else if (2 * h > left && Math.abs(left / 2 / h - 1) > SAME_STEP) h = left / 2;
-    this.tNew = last ? limit : this.t + h;
-    if (Math.abs(h / this.history.spacing - 1) > SAME_STEP) {
-      this.history.respace(h);
-      this.equalSteps = 0;
-    }
-    return (this.h = this.history.spacing);
   }
 
   private errorConstant(order: number): number {
@@ -178,20 +169,6 @@ export class BdfStepper implements Stepper {
     if (rejections < REJECTIONS_TO_RESTART) return factor;
     if (!this.tuning.past) history.order = 1;
     return Math.min(factor, 0.5);
-  }
-
-  private accept(h: number, error: number): void {
-    const { history, y, kept } = this;
-    this.previousT = this.t;
-    this.stepTaken = h;
-    this.t = this.tNew;
-    history.advance(this.corrector.d);
-    this.keptOrder = history.order;
-    for (let j = 0; j <= history.order; j++) kept[j]!.set(history.D[j]!);
-    y.set(history.D[0]!);
-    this.counters.steps++;
-    this.equalSteps++;
-    if (this.equalSteps > history.order) this.chooseNext(h, error);
   }
 
   /** Order and step for the next steps: the order among k - 1, k, k + 1 that allows the longest. */

@@ -7,11 +7,20 @@
  */
 
 /** A step may shrink to a fifth and grow tenfold at once; 0.9 leaves room so that few steps are rejected. */
-const SAFETY = 0.9;
-const SHRINK_MOST = 0.2;
-const GROW_MOST = 10;
+export const SAFETY = 0.9;
+export const SHRINK_MOST = 0.2;
+export const GROW_MOST = 10;
 /** Weight of the previous error; 0.04 is DOPRI5's choice for stability on mildly stiff problems. */
 const BETA = 0.04;
+
+/** A step below this many units in the last place of t cannot advance it reliably. */
+const SMALLEST_ULPS = 16;
+/** First step where f is not a number near the start, so that its size says nothing. */
+const CAUTIOUS_STEP = 1e-6;
+/** A step that would end within this fraction of itself before the limit is stretched to it, as far as its bound allows. */
+const STRETCH = 1.01;
+/** Many equal steps, as long as their bound, miss the limit by rounding: this much longer is as long as the bound. */
+const ROUNDING = 1 + 1e-6;
 
 export class PiController {
   private readonly exponent: number;
@@ -28,7 +37,10 @@ export class PiController {
     this.rejectedLast = false;
   }
 
-  /** Factor for the next step after an accepted one with scaled error `error` (<= 1). */
+  /**
+   * Factor for the next step after an accepted one.
+   * @param error scaled error, at most 1
+   */
   accept(error: number): number {
     const base = error > 0 ? SAFETY * Math.pow(error, -this.exponent) * Math.pow(this.lastError, BETA) : GROW_MOST;
     const factor = Math.min(this.rejectedLast ? 1 : GROW_MOST, Math.max(SHRINK_MOST, base));
@@ -37,18 +49,34 @@ export class PiController {
     return factor;
   }
 
-  /** Factor for trying again after a rejected step. */
+  /**
+   * Factor for trying again after a rejected step.
+   * @param error scaled error, more than 1; infinite where there was no value
+   */
   reject(error: number): number {
     this.rejectedLast = true;
     return error < Infinity ? Math.max(SHRINK_MOST, SAFETY * Math.pow(error, -this.exponent)) : SHRINK_MOST;
   }
 }
 
-/** Root mean square of error / (atol + rtol max(|y0|, |y1|)); infinite when anything is not a number. */
-export function errorNorm(error: Float64Array, y0: Float64Array, y1: Float64Array, rtol: number, atol: number): number {
+/**
+ * Root mean square of h error / (atol + rtol max(|y0|, |y1|)); infinite when anything is not a number.
+ * @param error error estimate divided by h, n
+ * @param h length of the step, s; 1 where `error` is the whole
+ * @param y0 start of the step, n
+ * @param y1 end of the step, n
+ */
+export function errorNorm(
+  error: Float64Array,
+  h: number,
+  y0: Float64Array,
+  y1: Float64Array,
+  rtol: number,
+  atol: number,
+): number {
   let sum = 0;
   for (let i = 0; i < error.length; i++) {
-    const r = error[i]! / (atol + rtol * Math.max(Math.abs(y0[i]!), Math.abs(y1[i]!)));
+    const r = (h * error[i]!) / (atol + rtol * Math.max(Math.abs(y0[i]!), Math.abs(y1[i]!)));
     sum += r * r;
   }
   const norm = Math.sqrt(sum / error.length);
@@ -56,18 +84,80 @@ export function errorNorm(error: Float64Array, y0: Float64Array, y1: Float64Arra
 }
 
 /**
- * The step to try when `left` remains to the limit: at most `most`, and stretched by up to 1 % or halved where it would
- * leave a sliver before the limit.
+ * Norm of two estimates that falls by an order faster than either: h e^2 / sqrt(e^2 + 0.01 e_low^2), as in DOP853; Hairer,
+ * Nørsett and Wanner I, section II.10. Infinite when anything is not a number.
+ * @param error estimate of high order divided by h, n
+ * @param low estimate of low order divided by h, n
+ * @param h length of the step, s
+ * @param y0 start of the step, n
+ * @param y1 end of the step, n
+ */
+export function pairedErrorNorm(
+  error: Float64Array,
+  low: Float64Array,
+  h: number,
+  y0: Float64Array,
+  y1: Float64Array,
+  rtol: number,
+  atol: number,
+): number {
+  let high = 0;
+  let lower = 0;
+  for (let i = 0; i < error.length; i++) {
+    const scale = atol + rtol * Math.max(Math.abs(y0[i]!), Math.abs(y1[i]!));
+    high += (error[i]! / scale) ** 2;
+    lower += (low[i]! / scale) ** 2;
+  }
+  if (high === 0 && lower === 0) return 0;
+  const norm = (h * high) / Math.sqrt((high + 0.01 * lower) * error.length);
+  return norm === norm ? norm : Infinity;
+}
+
+/**
+ * The step to try: at most `most`, and stretched by up to 1 % or halved where it would leave a sliver before the limit.
+ * @param h length wished for, s
+ * @param left time to the limit, s
+ * @param most upper bound, s
  */
 export function stepWithin(h: number, left: number, most: number): number {
   const step = Math.min(h, most);
-  if (1.01 * step >= left) return left;
+  if (reaches(step, left, most)) return left;
   return 2 * step > left ? left / 2 : step;
 }
 
 /**
- * First step of an explicit method of order p: Hairer, Nørsett and Wanner I, section II.4, "Starting step size".
- * `f0` = f(t0, y0); `scratch` holds two vectors; `f(t, y, out)` may fail, then the cautious guess stands.
+ * The same for methods of fixed step, which is never halved.
+ * @param h the step, s
+ * @param left time to the limit, s
+ * @param most upper bound, s
+ */
+export function fixedWithin(h: number, left: number, most: number): number {
+  const step = Math.min(h, most);
+  return reaches(step, left, most) ? left : step;
+}
+
+function reaches(step: number, left: number, most: number): boolean {
+  return STRETCH * step >= left && left <= ROUNDING * most;
+}
+
+/**
+ * Length at and below which a step is too small.
+ * @param t time, s
+ * @param left time to the limit, s
+ */
+export function smallestStep(t: number, left: number): number {
+  return SMALLEST_ULPS * Number.EPSILON * Math.max(Math.abs(t), Math.abs(left));
+}
+
+/**
+ * First step of an explicit method: Hairer, Nørsett and Wanner I, section II.4, "Starting step size".
+ * @param f derivative; where it has no value the cautious guess stands
+ * @param t0 s
+ * @param y0 n
+ * @param f0 f(t0, y0), n
+ * @param order of the method
+ * @param scratch two vectors of n
+ * @returns s, more than 0
  */
 export function firstStep(
   f: (t: number, y: Float64Array, out: Float64Array) => boolean,
@@ -92,9 +182,10 @@ export function firstStep(
   const d1 = norm(f0);
   const h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : (0.01 * d0) / d1;
   for (let i = 0; i < y0.length; i++) y1[i] = y0[i]! + h0 * f0[i]!;
-  if (!f(t0 + h0, y1, f1)) return h0;
+  if (!f(t0 + h0, y1, f1)) return h0 > 0 ? h0 : CAUTIOUS_STEP;
   const d2 = norm(f1, f0) / h0;
   const steepest = Math.max(d1, d2);
   const h1 = steepest <= 1e-15 ? Math.max(1e-6, h0 * 1e-3) : Math.pow(0.01 / steepest, 1 / (order + 1));
-  return Math.min(100 * h0, h1);
+  const h = Math.min(100 * h0, h1);
+  return h > 0 ? h : CAUTIOUS_STEP;
 }

@@ -1,12 +1,16 @@
+import type { EmbeddedTableau } from '../tableau.ts';
+
 /**
  * Coefficients of Dormand and Prince's method of order 8 with the error estimates of orders 5 and 3 and the
- * continuous output of order 7, as in the code DOP853 of Hairer and Wanner
+ * dense output of order 7, as in the code DOP853 of Hairer and Wanner
  * (Hairer, Nørsett and Wanner, Solving ODEs I, 2nd ed., section II.10 and appendix).
  * Each is the double nearest to the code's decimal number of up to 30 digits.
+ *
+ * The dense output costs three more evaluations, made only when it is first asked for after a step.
  */
 
-/** Nodes: stages 1 to 12, the end of the step, and three more stages for the continuous output. */
-export const C = [
+/** Nodes: stages 1 to 12, the end of the step, and three more stages for the dense output. */
+const C = [
   0,
   0.05260015195876773,
   0.0789002279381516,
@@ -23,10 +27,10 @@ export const C = [
   1 / 10,
   1 / 5,
   7 / 9,
-] as const;
+];
 
 /** Row s: weights of the slopes before stage s + 1. Row 12 (from 0) is b, the weights of the step itself. */
-export const A: readonly (readonly number[])[] = [
+const A: readonly (readonly number[])[] = [
   [],
   [0.05260015195876773],
   [0.0197250569845379, 0.0591751709536137],
@@ -70,16 +74,16 @@ export const A: readonly (readonly number[])[] = [
 ];
 
 /** b minus the weights of an embedded formula of order 5. */
-export const E5 = [
+const E5 = [
   0.01312004499419488, 0, 0, 0, 0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864, -0.35032884874997366,
   0.3341791187130175, 0.08192320648511571, -0.022355307863886294,
-] as const;
+];
 
 /** Weights of an embedded formula of order 3 that uses the slopes 1, 9 and 12 (counted from 1). */
-export const B3 = [0.2440944881889764, 0.7338466882816118, 0.022058823529411766] as const;
+const B3 = [0.2440944881889764, 0.7338466882816118, 0.022058823529411766];
 
-/** Weights of the slopes in the coefficients 4 to 7 of the continuous output. */
-export const D: readonly (readonly number[])[] = [
+/** Weights of the slopes in the coefficients 4 to 7 of the dense output. */
+const D: readonly (readonly number[])[] = [
   [
     -8.428938276109013, 0, 0, 0, 0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207, 2.117034582445028,
     -0.871391583777973, 2.2404374302607883, 0.6315787787694688, -0.08899033645133331, 18.148505520854727,
@@ -101,3 +105,13 @@ export const D: readonly (readonly number[])[] = [
     -149.72683625798564,
   ],
 ];
+
+export const dop853: EmbeddedTableau = {
+  order: 8,
+  stages: 12,
+  c: C,
+  A,
+  error: E5,
+  lowOrderError: A[12]!.map((b, j) => b - ({ 0: B3[0]!, 8: B3[1]!, 11: B3[2]! }[j] ?? 0)),
+  dense: D,
+};

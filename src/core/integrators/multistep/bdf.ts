@@ -50,9 +50,9 @@ class OdeEquations implements BdfEquations {
     return this.f(t, y, slope);
   }
 
-  firstStep(t: number, y: Float64Array, slope: Float64Array): number {
+  firstStep(t: number, y: Float64Array, slope: Float64Array, _scale: Float64Array, longest: number): number {
     const { rtol, atol } = this.options;
-    return firstStep((s, x, out) => this.f(s, x, out), t, y, slope, 1, rtol, atol, this.scratch);
+    return firstStep((s, x, out) => this.f(s, x, out), t, y, slope, 1, rtol, atol, this.scratch, longest);
   }
 
   residual(t: number, y: Float64Array, slope: Float64Array, out: Float64Array): boolean {

@@ -11,8 +11,13 @@ export interface BdfEquations {
   readonly failure: string | null;
   /** Derivative at (t, y); also the components of y that follow from the others. */
   begin(t: number, y: Float64Array, slope: Float64Array): boolean;
-  /** Step of order 1 to begin with; `slope` is the derivative, one unit of `scale` the tolerance. */
-  firstStep(t: number, y: Float64Array, slope: Float64Array, scale: Float64Array): number;
+  /**
+   * Step of order 1 to begin with, s.
+   * @param slope y', n
+   * @param scale tolerance of each component, n
+   * @param longest nothing is looked at further ahead than this, s
+   */
+  firstStep(t: number, y: Float64Array, slope: Float64Array, scale: Float64Array, longest: number): number;
   residual(t: number, y: Float64Array, slope: Float64Array, out: Float64Array): boolean;
   /** dF/dy + cj dF/dy'; with derivatives of this state if `renew`, else older ones will do. */
   matrix(t: number, y: Float64Array, slope: Float64Array, cj: number, renew: boolean, out: Float64Array): boolean;

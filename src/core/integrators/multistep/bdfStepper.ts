@@ -99,9 +99,9 @@ export class BdfStepper extends AdaptiveStepper {
     return this.equations.failure;
   }
 
-  protected begin(): StepFailure | null {
+  protected begin(longest: number): StepFailure | null {
     this.corrector.current = false;
-    return this.started || this.start() ? null : (this.reason ?? 'non-finite');
+    return this.started || this.start(longest) ? null : (this.reason ?? 'non-finite');
   }
 
   protected attempt(h: number, end: number): number {
@@ -136,13 +136,13 @@ export class BdfStepper extends AdaptiveStepper {
   }
 
   /** Order 1 from f at (t, y), or what `tuning` says of the past. */
-  private start(): boolean {
+  private start(longest: number): boolean {
     const { y, scratch: slope, history, corrector, equations, tuning, maxOrder } = this;
     if (!equations.begin(this.t, y, slope) || !allFinite(slope) || !allFinite(y)) return false;
     if (this.keptOrder === 0) this.kept[0]!.set(y);
     corrector.scaleBy(y, 1);
-    if (!(this.h > 0)) this.h = equations.firstStep(this.t, y, slope, corrector.scale);
-    this.h = this.bound(this.h);
+    if (!(this.h > 0)) this.h = equations.firstStep(this.t, y, slope, corrector.scale, longest);
+    this.h = Math.min(this.h, longest);
     if (tuning.past) {
       const values = Array.from({ length: maxOrder + 1 }, () => y.slice());
       for (let j = 1; j <= maxOrder; j++) tuning.past(this.t - j * this.h, values[j]!);

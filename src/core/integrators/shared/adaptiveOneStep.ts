@@ -56,14 +56,14 @@ export abstract class AdaptiveOneStep extends AdaptiveStepper {
     this.controller.reset();
   }
 
-  protected begin(): StepFailure | null {
+  protected begin(longest: number): StepFailure | null {
     const failure = this.beginSlope();
     if (failure) return failure;
     if (this.h > 0 && !this.restarted) return null;
     const { rtol, atol } = this.options;
     const f = (t: number, y: Float64Array, out: Float64Array): boolean => this.f(t, y, out);
     const scratch = [this.yNew, this.error] as const;
-    const first = firstStep(f, this.t, this.y, this.startSlope, this.startOrder, rtol, atol, scratch);
+    const first = firstStep(f, this.t, this.y, this.startSlope, this.startOrder, rtol, atol, scratch, longest);
     this.h = this.h > 0 ? Math.min(this.h, first) : first;
     this.restarted = false;
     return null;

@@ -35,8 +35,11 @@ export abstract class AdaptiveStepper implements Stepper {
 
   /** Why the equations had no value, where they say so. */
   protected abstract get reason(): string | null;
-  /** Before the first try of a step: f at (t, y), and `h` where it is 0. */
-  protected abstract begin(): StepFailure | null;
+  /**
+   * Before the first try of a step: f at (t, y), and `h` where it is 0.
+   * @param longest length that the step may have at most, s
+   */
+  protected abstract begin(longest: number): StepFailure | null;
   /**
    * Tries a step.
    * @param h its length, s
@@ -67,10 +70,10 @@ export abstract class AdaptiveStepper implements Stepper {
   }
 
   step(limit: number, maxStep = Infinity): StepFailure | null {
-    const failure = this.begin();
-    if (failure) return failure;
     const most = this.bound(maxStep);
     const left = limit - this.t;
+    const failure = this.begin(Math.min(left, most));
+    if (failure) return failure;
     const smallest = smallestStep(this.t, left);
     for (let tries = 1; ; tries++) {
       const h = stepWithin(this.h, left, most);

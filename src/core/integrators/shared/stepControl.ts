@@ -156,7 +156,10 @@ export function smallestStep(t: number, left: number): number {
  * @param y0 n
  * @param f0 f(t0, y0), n
  * @param order of the method
+ * @param rtol relative tolerance
+ * @param atol absolute tolerance, in the unit of each component
  * @param scratch two vectors of n
+ * @param longest f is looked at no further ahead than this, s
  * @returns s, more than 0
  */
 export function firstStep(
@@ -168,6 +171,7 @@ export function firstStep(
   rtol: number,
   atol: number,
   scratch: readonly [Float64Array, Float64Array],
+  longest = Infinity,
 ): number {
   const [y1, f1] = scratch;
   const norm = (x: Float64Array, minus?: Float64Array): number => {
@@ -180,7 +184,7 @@ export function firstStep(
   };
   const d0 = norm(y0);
   const d1 = norm(f0);
-  const h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : (0.01 * d0) / d1;
+  const h0 = Math.min(longest, d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : (0.01 * d0) / d1);
   for (let i = 0; i < y0.length; i++) y1[i] = y0[i]! + h0 * f0[i]!;
   if (!f(t0 + h0, y1, f1)) return h0 > 0 ? h0 : CAUTIOUS_STEP;
   const d2 = norm(f1, f0) / h0;

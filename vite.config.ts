@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
+import { leaveOut } from './scripts/leaveOut.ts';
 import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
@@ -28,10 +29,14 @@ const developersStyles = {
 
 const chunks = chunkList();
 
+/** The registry names all that there is of a system; the page draws and typesets it, its workers compute it. */
+const forWorkers = leaveOut('the page', /\/equations\.generated\.ts$/);
+const forPage = leaveOut('a worker', /\/(?:typeset\.generated\.json|drawing\.ts)$/);
+
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [woff2Only, developersStyles, chunks.page, offline()],
+  plugins: [woff2Only, developersStyles, forWorkers, chunks.page, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     target: 'es2022',
@@ -40,7 +45,7 @@ export default defineConfig({
     assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
     rolldownOptions: { output: { chunkFileNames } },
   },
-  worker: { format: 'es', plugins: () => [chunks.worker], rolldownOptions: { output: { chunkFileNames } } },
+  worker: { format: 'es', plugins: () => [forPage, chunks.worker], rolldownOptions: { output: { chunkFileNames } } },
   test: {
     include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright
     environment: 'node',

@@ -127,6 +127,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     sweep,
     control: compute.control,
     locus: compute.locus,
+    mechanics: compute.mechanics,
   };
 }
 

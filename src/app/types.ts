@@ -4,6 +4,7 @@ import type { Comparison, Contender } from './runs/comparison.ts';
 import type { Kept, KeptRun } from './runs/pinnedRuns.ts';
 import type { ControlClient } from '../compute/client/controlClient.ts';
 import type { LocusClient } from '../compute/client/locusClient.ts';
+import type { MechanicsClient } from '../compute/client/mechanicsClient.ts';
 export type { Answer } from '../compute/client/answer.ts';
 import type { Case } from '../core/cases/case.ts';
 import type { Look } from './state/viewSettings.ts';
@@ -248,6 +249,8 @@ export interface App {
   /** Linearization and design, computed aside. */
   control: ControlClient;
   locus: LocusClient;
+  /** The equations in numbers. */
+  mechanics: MechanicsClient;
   comparison: Comparison;
   kept: Kept;
   sweep: Sweep;

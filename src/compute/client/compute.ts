@@ -3,18 +3,20 @@ import type { Metas } from './answer.ts';
 import { ControlClient } from './controlClient.ts';
 import { CsvClient } from './csvClient.ts';
 import { LocusClient } from './locusClient.ts';
+import { MechanicsClient } from './mechanicsClient.ts';
 import { Pool } from './pool.ts';
 import { RunClient } from './runClient.ts';
 import { SweepClient } from './sweepClient.ts';
 
 /** What a worker is started for; all are the same program, and the name is seen in the browser's tools. */
-export type Purpose = 'run' | 'control' | 'locus' | 'csv' | 'comparison' | 'sweep';
+export type Purpose = 'run' | 'control' | 'locus' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
 
 /** All that the page can have computed aside. A worker is started by the first call that needs it. */
 export class Compute {
   readonly run: RunClient;
   readonly control: ControlClient;
   readonly locus: LocusClient;
+  readonly mechanics: MechanicsClient;
   readonly csv: CsvClient;
   readonly comparison: Pool<RunClient>;
   readonly sweep: Pool<SweepClient>;
@@ -24,6 +26,7 @@ export class Compute {
     this.run = new RunClient(() => start('run'));
     this.control = new ControlClient(() => start('control'), metas);
     this.locus = new LocusClient(() => start('locus'), metas);
+    this.mechanics = new MechanicsClient(() => start('mechanics'));
     this.csv = new CsvClient(() => start('csv'));
     this.comparison = new Pool(() => new RunClient(() => start('comparison')), cores);
     this.sweep = new Pool(() => new SweepClient(() => start('sweep')), cores);

@@ -5,5 +5,6 @@ export const services = {
   run: async () => (await import('./run.ts')).calls,
   sweep: async () => (await import('./sweep.ts')).calls,
   control: async () => (await import('./control.ts')).calls,
+  mechanics: async () => (await import('./mechanics.ts')).calls,
   csv: async () => (await import('./csv.ts')).calls,
 } satisfies Loaders;

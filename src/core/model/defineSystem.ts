@@ -18,7 +18,8 @@ type ForceJacobians = (
 
 /**
  * A system from its view and its generated equations; what the meta names is looked up among them:
- * `<id>Constraints`, `<id>Dynamics`, `<id>Jacobians` and, with contact, `<id>Heights` of each constraint set with rows;
+ * `<id>Constraints`, `<id>Dynamics`, `<id>Jacobians` and, with contact, `<id>Heights` of each constraint set with rows (sets that share
+ * one `contact` share the heights of the first);
  * `<name>Force` and `<name>Jacobians` of each optional force.
  *
  * @param view names, poses and tracked points
@@ -46,7 +47,10 @@ export function defineSystem(view: SystemView, equations: GeneratedEquations): S
     energy: equations.energy,
     ...(equations.poseJacobian ? { poseJacobian: equations.poseJacobian } : {}),
     constraintSets: Object.fromEntries(
-      sets.map((set) => [set.id, constraintSet(meta.id, set, equations as unknown as Named, losses)]),
+      sets.map((set) => {
+        const heightsOf = sets.find(({ contact }) => contact === set.contact)!.id;
+        return [set.id, constraintSet(meta.id, set, heightsOf, equations as unknown as Named, losses)];
+      }),
     ),
     ...(equations.rate && equations.rateJacobian
       ? { firstOrder: { rate: equations.rate, jacobian: equations.rateJacobian } }
@@ -64,6 +68,7 @@ function generated<T>(system: string, equations: Named, name: string): T {
 function constraintSet(
   system: string,
   { id, rows, contact }: ConstraintSetMeta,
+  heightsOf: string,
   equations: Named,
   losses: OptionalForces | null,
 ): ConstraintSet {
@@ -80,7 +85,7 @@ function constraintSet(
       : dynamics,
     jacobians: generated(system, equations, `${id}Jacobians`),
     contact: contact
-      ? { ...contact, count: contact.rows.length, heights: generated(system, equations, `${id}Heights`) }
+      ? { ...contact, count: contact.rows.length, heights: generated(system, equations, `${heightsOf}Heights`) }
       : null,
   };
 }

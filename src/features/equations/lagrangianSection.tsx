@@ -21,9 +21,9 @@ export function LagrangianSection() {
 
 /** T, V and L at the time on the stage. */
 function Energies() {
-  const { present } = usePresent();
-  if (!present) return null;
-  const { kinetic, potential } = present;
+  const shown = usePresent();
+  if (!shown) return null;
+  const { kinetic, potential } = shown.present;
   const values = [
     ['T', kinetic],
     ['V', potential],

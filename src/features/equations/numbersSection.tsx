@@ -14,8 +14,9 @@ const DIGITS = 4;
 
 export function NumbersSection() {
   const { view } = useBook();
-  const { present, motion } = usePresent();
-  if (!present || !motion) return <p class="hint">{equations.noMotion}</p>;
+  const shown = usePresent();
+  if (!shown) return <p class="hint">{equations.noMotion}</p>;
+  const { present, motion } = shown;
   if (view.meta.order === 1) return <Rate present={present} />;
   return (
     <>

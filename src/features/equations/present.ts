@@ -2,60 +2,45 @@
 import type { Motion } from '../../app/types.ts';
 import { inputsOf } from '../../core/model/inputs.ts';
 import { cholesky, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../../core/linalg/dense.ts';
-import type { System } from '../../core/model/system.ts';
+import type { StateOfSystem, Terms } from '../../core/mechanics/terms.ts';
 import { sample } from '../../ui/slowTime.ts';
 
 /** All in SI units and radians; n coordinates, m constraint rows. */
-export interface Present {
+export interface Present extends Omit<Terms, 'gamma'> {
   n: number;
   m: number;
-  mass: Float64Array;
   /** Largest over smallest eigenvalue of M, or null where M is not positive definite. */
   condition: number | null;
-  h: Float64Array;
   /** B u, or null where the motion does not say what its inputs are. */
   inputs: Float64Array | null;
-  omega: Float64Array;
   /** What the constraint rows make of the velocities: zero but for rounding. */
   slip: Float64Array;
   /** Null where they can be had neither from the motion nor by computing them. */
   lambda: Float64Array | null;
   /** Whether lambda was computed here rather than read from the motion. */
   computed: boolean;
-  kinetic: number;
-  potential: number;
-  /** f of a system of first order. */
-  rate: Float64Array | null;
 }
 
-/** Null where the motion has no whole state at that time. */
-export function presentOf(system: System, motion: Motion, time: number): Present | null {
-  const { meta } = system;
-  const n = meta.coordinates.length;
-  const q = columnsAt(
-    motion,
-    meta.coordinates.map(({ name }) => name),
-    time,
-  );
+/** The state to evaluate the equations at; null where the motion has no whole state at that time. */
+export function stateAt(motion: Motion, time: number): StateOfSystem | null {
+  const { meta } = motion.system;
+  const names = meta.coordinates.map(({ name }) => name);
+  const q = columnsAt(motion, names, time);
   const v = columnsAt(
     motion,
-    meta.coordinates.map(({ name }) => `${name}_dot`),
+    names.map((name) => `${name}_dot`),
     time,
   );
   if (!q || !v) return null;
   const p = Float64Array.from(meta.parameters, ({ name, default: value }) => motion.parameters[name] ?? value);
-  const mass = new Float64Array(n * n);
-  const h = new Float64Array(n);
-  const energies = new Float64Array(2);
-  system.mechanics(q, v, p, mass, h);
-  system.energy(q, v, p, energies);
-  const inputs = forcesAt(system, motion, time);
-  const set =
-    motion.constraints === null ? Object.values(system.constraintSets)[0] : system.constraintSets[motion.constraints];
-  const m = set?.rows ?? 0;
-  const omega = new Float64Array(m * n);
-  const gamma = new Float64Array(m);
-  set?.evaluate(q, v, p, omega, gamma);
+  return { system: meta.id, constraints: motion.constraints, q, v, p };
+}
+
+/** What the terms at a state of a motion amount to. */
+export function presentOf({ gamma, ...terms }: Terms, { v }: StateOfSystem, motion: Motion, time: number): Present {
+  const { mass, h, omega } = terms;
+  const [n, m] = [v.length, gamma.length];
+  const inputs = forcesAt(motion, time);
   const slip = Float64Array.from({ length: m }, (_, r) =>
     v.reduce((sum, rate, i) => sum + omega[r * n + i]! * rate, 0),
   );
@@ -66,22 +51,15 @@ export function presentOf(system: System, motion: Motion, time: number): Present
   );
   const held = (motion.scenario?.hold.length ?? 0) > 0;
   const lambda = recorded ?? (inputs && !held && m > 0 ? multipliers(mass, h, inputs, omega, gamma, n, m) : null);
-  const rate = system.firstOrder ? new Float64Array(n) : null;
-  system.firstOrder?.rate(q, p, rate!);
   return {
+    ...terms,
     n,
     m,
-    mass,
     condition: conditionOf(mass, n),
-    h,
     inputs,
-    omega,
     slip,
     lambda,
     computed: recorded === null && lambda !== null,
-    kinetic: energies[0]!,
-    potential: energies[1]!,
-    rate,
   };
 }
 
@@ -91,8 +69,8 @@ function columnsAt({ trajectory }: Motion, names: readonly string[], time: numbe
 }
 
 /** B u from the recorded inputs; a scenario without any has none. */
-function forcesAt(system: System, motion: Motion, time: number): Float64Array | null {
-  const { meta } = system;
+function forcesAt(motion: Motion, time: number): Float64Array | null {
+  const { meta } = motion.system;
   const known = inputsOf(meta).filter(({ name }) => motion.trajectory.has(name));
   if (known.length === 0 && motion.scenario === null) return null;
   const force = new Float64Array(meta.coordinates.length);

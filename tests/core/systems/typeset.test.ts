@@ -2,13 +2,15 @@ import katex from 'katex';
 import { describe, expect, test } from 'vitest';
 import type { Motion } from '../../../src/app/types.ts';
 import { cases, loadSystem, loadTypeset, systemViews } from '../../../src/core/systems/registry.ts';
+import { termsOf } from '../../../src/core/mechanics/terms.ts';
+import type { System } from '../../../src/core/model/system.ts';
 import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import { EXTRA_COLUMNS, Simulation } from '../../../src/core/simulation/simulation.ts';
 import { marksOf, setMarks, type Typeset } from '../../../src/core/model/typeset.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
 import { equations as words } from '../../../src/features/equations/words.ts';
 import { meaningOf, titleOfRow } from '../../../src/features/equations/meaning.ts';
-import { constraintForce, presentOf } from '../../../src/features/equations/present.ts';
+import { constraintForce, presentOf, stateAt, type Present } from '../../../src/features/equations/present.ts';
 import { OPTIONS, withNames } from '../../../src/features/equations/rendering.ts';
 
 const metas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
@@ -127,6 +129,12 @@ async function motionOf(caseId: string, duration: number, without: RegExp | null
   };
 }
 
+/** As the page and its worker do it together. */
+function presentIn(system: System, motion: Motion, time: number): Present | null {
+  const at = stateAt(motion, time);
+  return at && presentOf(termsOf(system, at), at, motion, time);
+}
+
 describe('the matrices at a moment', () => {
   test.each([
     ['ridden', 'ripstik'],
@@ -137,7 +145,7 @@ describe('the matrices at a moment', () => {
     const whole = await motionOf(caseId, 0.5, null);
     const bare = await motionOf(caseId, 0.5, /^lambda_/);
     const time = whole.trajectory.column('t')![30]!;
-    const [read, computed] = [presentOf(system, whole, time)!, presentOf(system, bare, time)!];
+    const [read, computed] = [presentIn(system, whole, time)!, presentIn(system, bare, time)!];
     expect([read.computed, computed.computed]).toEqual([false, true]);
     expect(read.m).toBe(system.constraintSets[whole.constraints!]!.rows);
     const scale = Math.max(...read.lambda!.map(Math.abs));
@@ -157,21 +165,21 @@ describe('the matrices at a moment', () => {
   test('a file without velocities has no numbers; one without inputs leaves them open', async () => {
     const system = (await loadSystem('ripstik'))!;
     const motion = await motionOf('ridden', 0.2, /_dot$/);
-    expect(presentOf(system, motion, 0.1)).toBeNull();
+    expect(presentIn(system, motion, 0.1)).toBeNull();
     const file: Motion = {
       ...(await motionOf('ridden', 0.2, /^(lambda_|tau_)/)),
       source: 'file',
       scenario: null,
       constraints: null,
     };
-    const present = presentOf(system, file, 0.1)!;
+    const present = presentIn(system, file, 0.1)!;
     expect([present.inputs, present.lambda, constraintForce(present)]).toEqual([null, null, null]);
     expect(present.m).toBe(4);
   });
 
   test('a system of first order shows its rate', async () => {
     const motion = await motionOf(cases.find(({ scenario }) => scenario.system === 'stiff-decay')!.id, 1, null);
-    const present = presentOf((await loadSystem('stiff-decay'))!, motion, 0)!;
+    const present = presentIn((await loadSystem('stiff-decay'))!, motion, 0)!;
     expect(present.rate![0]).toBe(-15);
     expect(present.m).toBe(0);
   });

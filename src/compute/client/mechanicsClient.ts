@@ -1,0 +1,17 @@
+import type { StateOfSystem, Terms } from '../../core/mechanics/terms.ts';
+import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
+import type { MechanicsCalls } from '../services/mechanicsTypes.ts';
+import { answerOf, type Answer } from './answer.ts';
+
+/** A system's equations in numbers, for what shows them; the page itself holds no equations. */
+export class MechanicsClient {
+  private readonly worker: RemoteWorker<MechanicsCalls>;
+
+  constructor(start: () => WorkerLike) {
+    this.worker = new RemoteWorker(start);
+  }
+
+  terms(state: StateOfSystem): Promise<Answer<Terms> | null> {
+    return answerOf(this.worker.call('mechanics.terms', state).result);
+  }
+}

@@ -49,7 +49,7 @@ test('a run sends its rows, the very ones that the simulation computes, then its
   new RunClient(starts()).start(scenarioOf(SHORT), run.handlers);
   expect(await run.over).toBe('end');
   const whole = runOf(SHORT);
-  for (const [name, values] of run.columns) expect(values, name).toEqual([...whole.columns.get(name)!]);
+  for (const [name, values] of whole.columns) expect(run.columns.get(name), name).toEqual([...values]);
   expect(run.said[0]).toBe('started');
   expect(run.said.slice(-2)).toEqual(['rows', 'ended']);
 });

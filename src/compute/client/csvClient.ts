@@ -32,7 +32,9 @@ export class CsvClient {
   async read(file: Blob, { timeStep, onProgress, signal }: ReadOptions = {}): Promise<FileReading | null> {
     const onEvent = onProgress && (({ share, rows }: { share: number; rows: number }) => onProgress(share, rows));
     try {
-      return await this.worker.call('csv.read', { file, timeStep }, { onEvent, signal }).result;
+      const reading = await this.worker.call('csv.read', { file, timeStep }, { onEvent, signal }).result;
+      // It may have been read to its end before the worker heard that it was not wanted.
+      return signal?.aborted ? null : reading;
     } catch (error) {
       if (signal?.aborted) return null;
       throw plain(error);

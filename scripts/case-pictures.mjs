@@ -78,8 +78,8 @@ async function shoot(page, { time, view = 'orbit', distance = 1 }) {
       const { state, actions } = window.ripstikApp;
       actions.seek(at ?? 0.4 * state.motion.value.trajectory.end);
       // A view looks at the subject where it is when it is chosen.
-      state.view.value = name === 'side' ? 'front' : 'side';
-      state.view.value = name;
+      actions.set('view', name === 'side' ? 'front' : 'side');
+      actions.set('view', name);
     },
     [time, view],
   );

@@ -88,8 +88,8 @@ async function putOnStage(page) {
     while (!met()) await new Promise((done) => setTimeout(done, 30));
     actions.pause();
     actions.seek(at);
-    state.view.value = 'side';
-    state.view.value = 'orbit';
+    actions.set('view', 'side');
+    actions.set('view', 'orbit');
   }, ON_STAGE);
 }
 

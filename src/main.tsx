@@ -5,7 +5,7 @@ import { Comparison } from './app/runs/comparison.ts';
 import { createApp, systemMetas } from './app/store.ts';
 import { Sweep } from './app/runs/sweep.ts';
 import { stageOf } from './app/runs/stage.ts';
-import { prepareVisit } from './app/startup.ts';
+import { prepareStartup } from './app/startup.ts';
 import { Compute } from './compute/client/compute.ts';
 import { startWorker } from './compute/client/startWorker.ts';
 import { formulations } from './core/mechanics/formulations/formulations.ts';
@@ -30,7 +30,7 @@ const app = createApp(
 Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
-const visit = prepareVisit(
+const startup = prepareStartup(
   app,
   features.flatMap(({ id, tool }) => (tool ? [id] : [])),
 );
@@ -42,7 +42,7 @@ render(
     formulations={formulations}
     origin={app.state.origin}
     features={features}
-    onForget={() => void visit.keeper.forget()}
+    onForget={() => void startup.autosave.forget()}
     sceneText={stage.description}
     sceneError={sceneError}
     onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}
@@ -50,7 +50,7 @@ render(
   document.getElementById('app')!,
 );
 
-void visit.begin();
+void startup.begin();
 
 // After the first motion has been computed, so that storing the page for use without a connection takes nothing from it.
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {

@@ -1,6 +1,6 @@
 /** Registers the service worker and says when a new version of the page is ready. Loaded when the page has come to rest. */
 import { offlineText as text } from './words.ts';
-import type { App } from './types.ts';
+import type { App } from './app.ts';
 
 export async function workOffline(app: App): Promise<void> {
   let registration: ServiceWorkerRegistration | undefined;

@@ -1,39 +1,36 @@
-/** How a visit begins: with a link, a file by address, the last work, or the first case. */
-import { Keeper } from './persistence/autosave.ts';
-import type { Work } from './persistence/savedWork.ts';
-import { browserShelf } from './persistence/browserStorage.ts';
+/** How the page begins: with a link, a file by address, the last work, or the first case. */
+import type { App } from './app.ts';
+import { Autosave } from './persistence/autosave.ts';
+import { browserStorage } from './persistence/browserStorage.ts';
+import { workOf, type Work } from './persistence/savedWork.ts';
 import { systemMetas } from './store.ts';
-import type { App } from './types.ts';
 
-export interface Visit {
-  keeper: Keeper;
+export interface Startup {
+  autosave: Autosave;
   /** Once the page is drawn. */
   begin(): Promise<void>;
 }
 
 /** Puts the last work back at once, so that the first picture has its theme and panel. */
-export function prepareVisit(app: App, toolIds: readonly string[]): Visit {
-  const keeper = new Keeper(app, browserShelf, systemMetas, toolIds);
-  const last = keeper.restore();
-  keeper.watch();
-  const openLink = async (before: () => Work | null): Promise<boolean> => {
+export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
+  const autosave = new Autosave(app, browserStorage, systemMetas, toolIds);
+  const last = autosave.restore();
+  autosave.watch();
+  const openLink = async (before: Work | null): Promise<boolean> => {
     const links = await import('./persistence/links.ts');
-    return links.openLink(app, keeper, systemMetas, toolIds, before());
+    return links.openLink(app, autosave, systemMetas, toolIds, before);
   };
   return {
-    keeper,
+    autosave,
     async begin() {
       addEventListener('hashchange', () => {
-        if (namesLink())
-          void import('./persistence/links.ts').then((links) =>
-            links.openLink(app, keeper, systemMetas, toolIds, keeper.aside ?? links.workBefore(app)),
-          );
+        if (namesLink()) void openLink(autosave.suspendedWork ?? workOf(app.state));
       });
-      void keeper.reopenMeshes();
+      void autosave.reopenMeshes();
       const file = new URLSearchParams(location.search).get('file');
-      if (!namesLink() || !(await openLink(() => last))) {
-        if (file !== null || last?.file === undefined || last.file === null || !(await keeper.reopenFile(last.file)))
-          app.actions.open();
+      if (!namesLink() || !(await openLink(last))) {
+        if (file !== null || last?.file === undefined || last.file === null || !(await autosave.reopenFile(last.file)))
+          app.actions.start();
       }
       if (file !== null) await (await import('./files/fileAddress.ts')).openFileAddress(app, file);
     },

@@ -1,9 +1,9 @@
-/** Words on keeping, links and files by address. */
+/** Words on autosave, links and files by address. */
 export const text = {
   unusable: 'What was kept of your last work can\u2019t be used',
   unusableHint: 'The page opens with its first case. What is stored stays until you edit something.',
-  notKept: 'Your work stays in this tab only',
-  notKeptHint: (reason: string) =>
+  notStored: 'Your work stays in this tab only',
+  notStoredHint: (reason: string) =>
     reason === 'QuotaExceededError'
       ? 'The storage that this browser has for the page is full. Free some of it, or save the scenario as a file to keep it.'
       : `This browser stores nothing for the page (${reason}). Save the scenario as a file to keep it.`,

@@ -1,10 +1,13 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
+import { untracked } from '@preact/signals';
+import { drawnSettings } from '../app/state/settings.ts';
 import { keyTimes } from '../app/files/exportPlan.ts';
 import { legendBar } from '../app/state/forceScale.ts';
 import { ghostsAt, type GhostPoses } from '../app/runs/ghosts.ts';
 import { Pace } from './pace.ts';
-import type { GlbPlan, Shot, ShotPlan, Watching } from '../app/files/exportRenderer.ts';
-import type { App, Motion } from '../app/types.ts';
+import type { GlbPlan, Shot, ShotPlan, ExportProgress } from '../app/files/exportRenderer.ts';
+import type { App } from '../app/app.ts';
+import type { Motion } from '../app/runs/motion.ts';
 import { MotionSampler } from '../core/motion/motionSampler.ts';
 import { openCapture } from '../scene/export/capture.ts';
 import type { Dressed, SceneView } from '../scene/contract.ts';
@@ -19,10 +22,10 @@ function watched(app: App, dressed: Dressed): Motion {
 const samplerOf = (motion: Motion): MotionSampler =>
   new MotionSampler(motion.system, motion.parameters, motion.trajectory, motion.constraints);
 
-/** Kept runs stand in the picture as they do on the page; their samplers are the picture's own. */
+/** Pinned runs stand in the picture as they do on the page; their samplers are the picture's own. */
 async function ghostPoses({ state }: App, pace: Pace): Promise<(time: number) => readonly GhostPoses[]> {
   const samplers = new Map<Motion, MotionSampler>();
-  for (const { motion, ghost } of state.kept.peek()) {
+  for (const { motion, ghost } of state.pinned.peek()) {
     if (!ghost) continue;
     samplers.set(motion, samplerOf(motion));
     await caughtUp(samplers.get(motion)!, motion.trajectory.start, pace);
@@ -43,18 +46,17 @@ export async function openShot(
   signal?: AbortSignal,
 ): Promise<Shot> {
   const { state } = app;
-  const { look } = state;
   const motion = watched(app, dressed);
   const sampler = samplerOf(motion);
   const pace = new Pace(signal);
   await caughtUp(sampler, plan.from, pace);
   const ghosts = await ghostPoses(app, pace);
-  const forces = state.showForces.peek();
-  const perNewton = look.metresPerNewton.peek();
+  const switches = untracked(() => drawnSettings(state));
+  const { forces, metresPerNewton: perNewton } = switches;
   const capture = openCapture({
     ...plan,
     theme: state.theme.peek(),
-    closeUp: look.inset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,
+    closeUp: state.showInset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,
     legend: forces && motion.system.contacts.length > 0 ? (pixels) => legendOf(perNewton, pixels) : null,
   });
   const { view } = capture;
@@ -74,14 +76,7 @@ export async function openShot(
   };
   try {
     view.setModels(dressed.models, dressed.cast!);
-    view.setSwitches({
-      trails: state.showTrails.peek(),
-      forces,
-      names: look.names.peek(),
-      frames: look.frames.peek(),
-      metresPerNewton: perNewton,
-      level: look.level.peek(),
-    });
+    view.setSwitches(switches);
     view.setFollow(plan.follow);
     const asOnPage = plan.view === 'page';
     view.setView(asOnPage ? state.view.peek() : (plan.view as Exclude<typeof plan.view, 'page'>));
@@ -106,7 +101,12 @@ function legendOf(metresPerNewton: number, pixelsPerMetre: number): { pixels: nu
   return bar && { pixels: bar.pixels, label: `${bar.newtons}\u2009N` };
 }
 
-export async function writeGlb(app: App, dressed: Dressed, plan: GlbPlan, { signal, onKey }: Watching): Promise<Blob> {
+export async function writeGlb(
+  app: App,
+  dressed: Dressed,
+  plan: GlbPlan,
+  { signal, onKey }: ExportProgress,
+): Promise<Blob> {
   const motion = watched(app, dressed);
   const { glbOf } = await import('../scene/export/gltf.ts');
   const pace = new Pace(signal);

@@ -1,9 +1,11 @@
 import { effect, signal, type Signal } from '@preact/signals';
-import { bodyPoint, bodyVelocity, canPush, firmness, pull } from '../app/push/pointerPush.ts';
+import { bodyPoint, bodyVelocity, canPush, firmness, springForce } from '../app/push/pointerPush.ts';
+import { drawnSettings } from '../app/state/settings.ts';
 import { ghostsAt } from '../app/runs/ghosts.ts';
-import type { Studio } from '../app/files/exportRenderer.ts';
+import type { ExportRenderer } from '../app/files/exportRenderer.ts';
 import type { Stage } from '../app/runs/stage.ts';
-import type { App, Motion } from '../app/types.ts';
+import type { App } from '../app/app.ts';
+import type { Motion } from '../app/runs/motion.ts';
 import { castOf, type Drawing, valueOf } from '../core/geometry/drawing.ts';
 import { modelsOf } from '../core/model/system.ts';
 import { loadDrawing, shippedMeshes } from '../core/systems/registry.ts';
@@ -17,7 +19,7 @@ export async function connectScene(
   problem: Signal<string | null>,
 ): Promise<void> {
   const { createScene } = await import('../scene/scene.ts');
-  const { state } = app;
+  const { state, actions, exportService } = app;
   const stillness = matchMedia('(prefers-reduced-motion: reduce)');
   let view: SceneView;
   try {
@@ -27,8 +29,8 @@ export async function connectScene(
       onContextLost: () =>
         void (problem.value = 'The graphics processor gave up the 3-D view; it comes back by itself. Nothing is lost.'),
       onContextRestored: () => void (problem.value = null),
-      onScale: (pixels) => void (state.look.pixelsPerMetre.value = pixels),
-      ...hand(app),
+      onScale: (pixels) => actions.setPixelsPerMetre(pixels),
+      ...pointerPush(app),
     });
   } catch (error) {
     problem.value = (error as Error).message;
@@ -38,15 +40,15 @@ export async function connectScene(
   fitToElement(canvas, view);
   stillness.addEventListener('change', () => view.setReducedMotion(stillness.matches));
   effect(() => view.setTheme(state.theme.value));
-  connectLook(app, view);
+  connectSettings(app, view);
   effect(() => view.setFollow(state.follow.value));
   effect(() => view.setView(state.view.value));
   const dressed = dress(app, view);
-  const studio: Studio = {
+  const renderer: ExportRenderer = {
     open: async (plan, signal) => (await import('./exportScene.ts')).openShot(app, view, dressed.peek(), plan, signal),
-    glb: async (plan, watching) => (await import('./exportScene.ts')).writeGlb(app, dressed.peek(), plan, watching),
+    glb: async (plan, progress) => (await import('./exportScene.ts')).writeGlb(app, dressed.peek(), plan, progress),
   };
-  effect(() => void (state.studio.value = dressed.value.cast ? studio : null));
+  effect(() => exportService.offer(dressed.value.cast ? renderer : null));
   const followed = signal(0);
   let following = false;
   /** Rows that could not be followed at once are in the next frame: one look a frame, however often the time changes. */
@@ -76,7 +78,7 @@ export async function connectScene(
       wheelAngles: sampler.wheelAngles,
       forces: state.showForces.value ? sampler.forces(time) : [],
     });
-    drawPull(app, view, sampler.poses);
+    drawPush(app, view, sampler.poses);
   });
   effect(() =>
     view.setGhosts(
@@ -84,32 +86,22 @@ export async function connectScene(
     ),
   );
   effect(() => {
-    void state.grab.value;
+    void state.push.value;
     const sampler = stage.sampler.peek();
-    if (sampler) drawPull(app, view, sampler.poses);
+    if (sampler) drawPush(app, view, sampler.poses);
   });
 }
 
-function connectLook({ state }: App, view: SceneView): void {
-  const { look } = state;
-  effect(() =>
-    view.setSwitches({
-      trails: state.showTrails.value,
-      forces: state.showForces.value,
-      names: look.names.value,
-      frames: look.frames.value,
-      metresPerNewton: look.metresPerNewton.value,
-      level: look.level.value,
-    }),
-  );
-  effect(() => view.setQuality(look.quality.value));
-  effect(() => view.setInset(look.insetBox.value));
-  effect(() => view.setGrabbing(!canPush(state.motion.value) ? 'never' : look.push.value ? 'always' : 'shift'));
+function connectSettings({ state }: App, view: SceneView): void {
+  effect(() => view.setSwitches(drawnSettings(state)));
+  effect(() => view.setQuality(state.quality.value));
+  effect(() => view.setInset(state.insetBox.value));
+  effect(() => view.setGrabbing(!canPush(state.motion.value) ? 'never' : state.dragPushes.value ? 'always' : 'shift'));
 }
 
-/** What the hand in the scene does becomes the state's grab. */
-function hand({ state }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
-  // Between two pictures the hand goes along with the camera, as it does to the eye.
+/** What the pointer does to a body in the scene becomes the state's push. */
+function pointerPush({ state, actions }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
+  // Between two pictures the pointer goes along with the camera, as it does to the eye.
   const moving = (velocity: readonly [number, number, number]) => ({ velocity, since: state.time.peek() });
   const REST = [0, 0, 0] as const;
   return {
@@ -118,31 +110,31 @@ function hand({ state }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelea
       const id = motion?.system.meta.bodies[body]?.id;
       if (motion && id !== undefined) {
         const along = state.follow.peek() || state.view.peek() === 'rider';
-        state.grab.value = {
+        actions.setPush({
           body: id,
           point,
           target: world,
           moving: moving(along ? bodyVelocity(motion, state.time.peek(), body) : REST),
           ...firmness(motion),
-        };
+        });
       }
     },
     onPull(target, velocity) {
-      const grab = state.grab.peek();
-      if (grab) state.grab.value = { ...grab, target, moving: moving(velocity) };
+      const push = state.push.peek();
+      if (push) actions.setPush({ ...push, target, moving: moving(velocity) });
     },
-    onRelease: () => void (state.grab.value = null),
+    onRelease: () => actions.setPush(null),
   };
 }
 
-/** The spring from where the held point is now to the hand. */
-function drawPull({ state }: App, view: SceneView, poses: Float64Array): void {
-  const grab = state.grab.peek();
-  const body = grab ? (state.motion.peek()?.system.meta.bodies.findIndex(({ id }) => id === grab.body) ?? -1) : -1;
-  if (!grab || body < 0) return view.setHandle(null);
-  const from = bodyPoint(poses, body, grab.point);
-  const force = pull(grab, from);
-  view.setHandle({ from, to: grab.target, label: `${force.toFixed(force < 9.95 ? 1 : 0)}\u2009N` });
+/** The spring from where the pushed point is now to the pointer. */
+function drawPush({ state }: App, view: SceneView, poses: Float64Array): void {
+  const push = state.push.peek();
+  const body = push ? (state.motion.peek()?.system.meta.bodies.findIndex(({ id }) => id === push.body) ?? -1) : -1;
+  if (!push || body < 0) return view.setHandle(null);
+  const from = bodyPoint(poses, body, push.point);
+  const force = springForce(push, from);
+  view.setHandle({ from, to: push.target, label: `${force.toFixed(force < 9.95 ? 1 : 0)}\u2009N` });
 }
 
 function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
@@ -184,7 +176,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
           good = own;
           dressed.value = { system: id, models, cast };
         } catch (error) {
-          app.state.meshes.value = good;
+          app.actions.setMeshes(good);
           app.actions.report('error', 'The mesh could not be shown', [
             (error as Error).message,
             'The bodies on the stage are as before.',

@@ -3,7 +3,8 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { computed, signal } from '@preact/signals';
 import type { ReadonlySignal, Signal } from '@preact/signals';
-import type { App, CaseInfo } from '../app/types.ts';
+import type { App } from '../app/app.ts';
+import type { CaseInfo } from '../app/state/cases.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/model/system.ts';
 import { sameContent } from '../app/state/draft.ts';
@@ -77,8 +78,9 @@ function lastMatchingCase(app: App): ReadonlySignal<CaseInfo | null> {
   });
 }
 
-export function edit(ui: Ui, change: (draft: ScenarioFile) => ScenarioFile): void {
-  ui.app.state.draft.value = change(ui.app.state.draft.peek());
+/** @param label what is changed, in the words of an undo menu */
+export function edit(ui: Ui, label: string, change: (draft: ScenarioFile) => ScenarioFile): void {
+  ui.app.actions.edit(label, change);
 }
 
 /** Runs something that replaces the draft, and clears text that was refused. */

@@ -3,7 +3,7 @@
  * `manifest.tsx`, and one line in `src/features/registry.ts`, make one.
  */
 import type { ComponentType } from 'preact';
-import type { App } from '../app/types.ts';
+import type { App } from '../app/app.ts';
 import type { IconName } from './kit/controls.tsx';
 
 /** A place to work in beside the scene: one entry of the rail, one tab of the phone's sheet. */

@@ -107,17 +107,17 @@ describe('kept work', () => {
   test('drafts that may run, or refused with a reason', () => {
     fc.assert(
       fc.property(text, (stored) => {
-        let kept;
+        let saved;
         try {
-          kept = fromText(stored, known);
+          saved = fromText(stored, known);
         } catch (error) {
           expect((error as Error).message.length).toBeGreaterThan(5);
           return count('refused');
         }
-        for (const { draft, origin } of kept.work.drafts.values())
+        for (const { draft, origin } of saved.work.drafts.values())
           for (const scenario of [draft, origin.scenario])
             expect([...collectScenarioErrors(scenario, systems)]).toEqual([]);
-        expect([undefined, null, ...known.toolIds]).toContain(kept.settings.tool);
+        expect([undefined, null, ...known.toolIds]).toContain(saved.settings.tool);
         count('taken');
       }),
       { ...settings, numRuns: runs(1500) },

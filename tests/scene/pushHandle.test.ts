@@ -1,6 +1,6 @@
 import { type Material, Mesh, type Object3D, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { bodyPoint, bodyVelocity, firmness, pull } from '../../src/app/push/pointerPush.ts';
+import { bodyPoint, bodyVelocity, firmness, springForce } from '../../src/app/push/pointerPush.ts';
 import { speedFor } from '../../src/app/runs/modePreview.ts';
 import { speeds } from '../../src/app/state/playbackClock.ts';
 import { ripstikView } from '../../src/core/systems/ripstik/view.ts';
@@ -154,12 +154,12 @@ describe('the plane of the hand', () => {
   });
 });
 
-test('a held point goes with its body, and the pull is stiffness times distance', () => {
+test('a pushed point goes with its body, and the force of its spring is stiffness times distance', () => {
   const [c, s] = [Math.cos(0.5), Math.sin(0.5)];
   const poses = Float64Array.from([...new Array<number>(12).fill(0), 1, 2, 3, c, -s, 0, s, c, 0, 0, 0, 1]);
   const at = bodyPoint(poses, 1, [0.3, 0, 0.1]);
   expect(at.map((x, i) => x - [1 + 0.3 * c, 2 + 0.3 * s, 3.1][i]!).every((x) => Math.abs(x) < 1e-12)).toBe(true);
-  expect(pull({ stiffness: 50, target: [1, 2, 3] }, [1, 2, 3.2])).toBeCloseTo(10, 9);
+  expect(springForce({ stiffness: 50, target: [1, 2, 3] }, [1, 2, 3.2])).toBeCloseTo(10, 9);
 });
 
 test('a body goes as fast as its coordinates say', () => {

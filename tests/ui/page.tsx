@@ -7,7 +7,8 @@ import type { ComponentChild } from 'preact';
 import { Comparison } from '../../src/app/runs/comparison.ts';
 import { Sweep } from '../../src/app/runs/sweep.ts';
 import { createApp, systemMetas } from '../../src/app/store.ts';
-import type { App, Motion } from '../../src/app/types.ts';
+import type { App } from '../../src/app/app.ts';
+import type { Motion } from '../../src/app/runs/motion.ts';
 import { Compute } from '../../src/compute/client/compute.ts';
 import type { WorkerLike } from '../../src/compute/remote/remoteWorker.ts';
 import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
@@ -36,15 +37,12 @@ export function testApp(): App {
   );
 }
 
-let motions = 0;
-
 /** Puts a run of a scenario on the stage, computed here and now. */
 export function putOnStage(app: App, file: ScenarioFile, source: Motion['source'] = 'run'): Motion {
   const { columns, rows } = runOf(file);
   const names = [...columns.keys()];
   const scenario = checkScenario(file, systemMetas);
-  const motion: Motion = {
-    id: ++motions,
+  const motion: Omit<Motion, 'id'> = {
     source,
     title: 'A motion',
     system: app.systemOf(file.system)!,
@@ -61,8 +59,9 @@ export function putOnStage(app: App, file: ScenarioFile, source: Motion['source'
     marks: [],
     judgement: null,
   };
-  app.state.motion.value = motion;
-  return motion;
+  app.actions.showMotion(motion);
+  app.actions.pause();
+  return app.state.motion.peek()!;
 }
 
 /** Draws something as the shell would. */

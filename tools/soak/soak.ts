@@ -7,26 +7,20 @@ import { Gauges, type Reading } from './gauges.ts';
 interface PageApp {
   state: {
     messages: { value: readonly { id: number }[] };
-    kept: { value: readonly { id: number }[] };
-    view: { value: string };
-    theme: { value: string };
-    follow: { value: boolean };
-    showTrails: { value: boolean };
-    showForces: { value: boolean };
-    speed: { value: number };
-    loop: { value: boolean };
-    meshes: { value: ReadonlyMap<string, unknown> };
-    plots: { value: unknown };
-    drafts: { value: ReadonlyMap<string, unknown> };
-    look: Record<'names' | 'frames' | 'inset' | 'push', { value: boolean }>;
+    pinned: { value: readonly { id: number }[] };
+    draft: { value: object };
+    origin: { value: object };
   };
   actions: {
     dismiss(id: number): void;
     cancelReading(): void;
     seek(time: number): void;
     compare(list: readonly object[]): void;
+    setAll(settings: object): void;
+    setMeshes(meshes: ReadonlyMap<string, unknown>): void;
+    restoreDrafts(current: object, drafts: ReadonlyMap<string, unknown>): void;
   };
-  kept: { keep(): void; remove(id: number): void };
+  pinned: { pin(): void; remove(id: number): void };
   comparison: { outcomes: { value: readonly { state: string }[] } };
 }
 
@@ -146,34 +140,40 @@ export class Soak {
     await settled(page);
     await page.keyboard.press('k');
     await page.evaluate(() => {
-      const { state, actions, kept } = window.ripstikApp;
+      const { state, actions, pinned } = window.ripstikApp;
       window.workerEvents.length = 0; // the rig's own record
       actions.compare([{ id: 'a', label: 'a', method: {} }]);
-      Object.assign(state.plots, { value: { own: null, degrees: true, wrapped: false } });
-      state.drafts.value = new Map();
-      state.meshes.value = new Map();
-      [state.view.value, state.theme.value, state.speed.value, state.loop.value] = ['orbit', 'light', 1, false];
-      [state.follow.value, state.showTrails.value] = [true, true];
-      for (const { id } of state.kept.value) kept.remove(id);
-      kept.keep();
-      for (const { id } of state.kept.value) kept.remove(id);
+      actions.restoreDrafts({ draft: state.draft.value, origin: state.origin.value }, new Map());
+      actions.setMeshes(new Map());
+      actions.setAll({
+        plots: { own: null, degrees: true, wrapped: false },
+        view: 'orbit',
+        theme: 'light',
+        speed: 1,
+        loop: false,
+        follow: true,
+        showTrails: true,
+      });
+      for (const { id } of state.pinned.value) pinned.remove(id);
+      pinned.pin();
+      for (const { id } of state.pinned.value) pinned.remove(id);
     });
     await page.getByTestId('scrubber').fill('3');
     // Seen from where a visit begins: which labels of the ground are in the picture, and on the card, depends on it.
     for (const view of ['top', 'orbit']) {
-      await page.evaluate((name) => {
-        window.ripstikApp.state.view.value = name;
-      }, view);
+      await page.evaluate((name) => window.ripstikApp.actions.setAll({ view: name }), view);
       await drawn(page);
     }
     for (const on of [true, false]) {
       await page.evaluate((value) => {
-        const {
-          state: { look, showForces, theme },
-        } = window.ripstikApp;
-        theme.value = value ? 'dark' : 'light'; // a few labels that are out of sight are kept in one theme
-        for (const one of [showForces, look.names, look.frames, look.inset]) one.value = value;
-        look.push.value = false;
+        window.ripstikApp.actions.setAll({
+          theme: value ? 'dark' : 'light', // a few labels that are out of sight are kept in one theme
+          showForces: value,
+          showNames: value,
+          showFrames: value,
+          showInset: value,
+          dragPushes: false,
+        });
       }, on);
       await drawn(page);
     }

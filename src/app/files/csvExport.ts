@@ -1,28 +1,31 @@
 import type { CsvClient } from '../../compute/client/csvClient.ts';
 import { download } from './download.ts';
-import type { Messages } from '../state/messages.ts';
 import { pushComments } from '../push/pushRecorder.ts';
-import type { AppState } from '../types.ts';
+import type { StageState } from '../runs/stageState.ts';
+import type { MessageActions } from '../state/messages.ts';
+import type { FileActions } from './fileState.ts';
 
 /** The motion on the stage as a CSV file: a long one part by part, with its share on the page, until it is cancelled. */
 export class CsvExport {
-  private readonly state: AppState;
+  private readonly stage: StageState;
+  private readonly files: FileActions;
   private readonly csv: CsvClient;
-  private readonly messages: Messages;
+  private readonly messages: MessageActions;
   private going: AbortController | null = null;
 
-  constructor(state: AppState, csv: CsvClient, messages: Messages) {
-    this.state = state;
+  constructor(stage: StageState, files: FileActions, csv: CsvClient, messages: MessageActions) {
+    this.stage = stage;
+    this.files = files;
     this.csv = csv;
     this.messages = messages;
   }
 
   /** One at a time: an export under way gives way to this one. */
   async write(): Promise<void> {
-    const { state, messages } = this;
-    const motion = state.motion.peek();
+    const { stage, files, messages } = this;
+    const motion = stage.motion.peek();
     if (!motion || motion.trajectory.length === 0) {
-      messages.add('warning', 'Nothing to export', ['Run a scenario or open a file first.']);
+      messages.report('warning', 'Nothing to export', ['Run a scenario or open a file first.']);
       return;
     }
     this.cancel();
@@ -38,23 +41,23 @@ export class CsvExport {
       ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)]
       : [];
     const onProgress = (share: number): void => {
-      if (!signal.aborted && share < 1) state.writing.value = { name, share };
+      if (!signal.aborted && share < 1) files.setWriting({ name, share });
     };
     try {
       const parts = await this.csv.write(motion.trajectory, comments, { onProgress, signal });
       if (parts) download(name, parts, 'text/csv');
     } catch (error) {
-      messages.add('error', 'The CSV file was not written', [
+      messages.report('error', 'The CSV file was not written', [
         error instanceof Error ? error.message : String(error),
         'The run is still on the page.',
       ]);
     } finally {
-      if (this.going?.signal === signal) state.writing.value = null;
+      if (this.going?.signal === signal) files.setWriting(null);
     }
   }
 
   cancel(): void {
     this.going?.abort();
-    this.state.writing.value = null;
+    this.files.setWriting(null);
   }
 }

@@ -1,5 +1,5 @@
 /** What the export dialog asks of the scene, without knowing it. */
-import type { ViewName } from '../types.ts';
+import type { ViewName } from '../state/settingsTable.ts';
 
 export interface ShotPlan {
   /** Pixels of the result. */
@@ -36,15 +36,15 @@ export interface GlbPlan {
 }
 
 /** Of long work: how to end it, and how far it is. */
-export interface Watching {
+export interface ExportProgress {
   signal: AbortSignal;
   /** Keyframes written so far. */
   onKey(done: number): void;
 }
 
-export interface Studio {
+export interface ExportRenderer {
   /** @throws Error when the graphics processor can't draw at that size, or there is no motion. */
   open(plan: ShotPlan, signal?: AbortSignal): Promise<Shot>;
   /** A binary glTF 2.0 file, written in slices between which the page lives. @throws Error without a motion; what the signal says. */
-  glb(plan: GlbPlan, watching: Watching): Promise<Blob>;
+  glb(plan: GlbPlan, progress: ExportProgress): Promise<Blob>;
 }

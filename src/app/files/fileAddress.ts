@@ -1,6 +1,6 @@
 /** `?file=`: a CSV or scenario beside the page, fetched with progress. Loaded when an address asks for one. */
 import { fileText as text } from '../words.ts';
-import type { App } from '../types.ts';
+import type { App } from '../app.ts';
 
 /** Bytes; all of it passes through memory before it is read, unlike a file from the disk. */
 const LARGEST_FETCHED = 400e6;
@@ -30,15 +30,15 @@ export function fileAddress(file: string, page: string): URL {
 
 /** Puts it on the stage; a refusal is told and leaves everything as it is. */
 export async function openFileAddress(app: App, file: string): Promise<void> {
-  const { state, actions } = app;
+  const { actions } = app;
   try {
     const address = fileAddress(file, location.href);
     const name = nameOf(address);
-    await actions.openFile(name, await fetched(address, (share) => void (state.loading.value = { name, share })));
+    await actions.openFile(name, await fetched(address, (share) => actions.setLoading({ name, share })));
   } catch (error) {
     actions.report('error', text.refused, [(error as Error).message]);
   } finally {
-    state.loading.value = null;
+    actions.setLoading(null);
   }
 }
 

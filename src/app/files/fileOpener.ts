@@ -1,4 +1,3 @@
-import { batch } from '@preact/signals';
 import { modelsOf } from '../../core/model/system.ts';
 import { parseScenario } from '../../core/scenario/schema.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
@@ -8,16 +7,23 @@ import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
 import type { FileReading } from '../../compute/services/csvTypes.ts';
 import type { CsvClient } from '../../compute/client/csvClient.ts';
-import type { Messages } from '../state/messages.ts';
-import type { AppState, Motion, SampleInfo } from '../types.ts';
+import type { Motion } from '../runs/motion.ts';
+import type { StageState } from '../runs/stageState.ts';
+import { ownCase, type CaseInfo } from '../state/cases.ts';
+import type { ExperimentState } from '../state/experiment.ts';
+import type { MessageActions } from '../state/messages.ts';
+import type { FileSlice } from './fileState.ts';
+import type { SampleInfo } from './samples.ts';
 
 interface Context {
-  state: AppState;
+  files: FileSlice;
+  stage: StageState;
+  experiment: ExperimentState;
   csv: CsvClient;
-  messages: Messages;
+  messages: MessageActions;
   metas: Readonly<Record<string, SystemMeta>>;
   show(motion: Omit<Motion, 'id'>): void;
-  runDraft(): void;
+  openScenario(origin: CaseInfo, scenario: ScenarioFile): void;
 }
 
 /** Larger files are refused by name and size; what a table holds is limited by the reader (`MOST_NUMBERS`). */
@@ -55,7 +61,7 @@ export class FileOpener {
   answerTimeStep(step: number | null): void {
     const { waiting, context } = this;
     this.waiting = null;
-    context.state.pendingFile.value = null;
+    context.files.actions.setPendingFile(null);
     if (waiting && step !== null)
       void this.readMotion(waiting.name, waiting.file, step).catch((error: unknown) =>
         this.fail(waiting.name, [messageOf(error)]),
@@ -90,32 +96,28 @@ export class FileOpener {
   private readScenario(name: string, text: string): void {
     parseScenario(text, this.context.metas);
     const scenario = JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile;
-    batch(() => {
-      this.context.state.origin.value = { id: '', title: name.replace(/\.json$/i, ''), summary: '', scenario };
-      this.context.state.draft.value = scenario;
-    });
-    this.context.messages.add('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
-    this.context.runDraft();
+    this.context.messages.report('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
+    this.context.openScenario(ownCase(name.replace(/\.json$/i, ''), scenario), scenario);
   }
 
   private async readMotion(name: string, file: Blob, timeStep?: number): Promise<void> {
-    const { state, csv, messages } = this.context;
+    const { files, csv, messages } = this.context;
     this.reading?.abort();
     const { signal } = (this.reading = new AbortController());
     const show = (share: number, rows: number): void => {
-      if (!signal.aborted) state.reading.value = { name, share, rows };
+      if (!signal.aborted) files.actions.setReading({ name, share, rows });
     };
     const reading = await csv.read(file, { timeStep, signal, onProgress: show }).finally(() => {
-      if (this.reading?.signal === signal) state.reading.value = null;
+      if (this.reading?.signal === signal) files.actions.setReading(null);
     });
     if (!reading || signal.aborted) {
-      messages.add('info', `${name} was not read to its end`, ['What was on the stage is still there.']);
+      messages.report('info', `${name} was not read to its end`, ['What was on the stage is still there.']);
       return;
     }
     const { result } = reading;
     if (result.kind === 'needs-time-step') {
       this.waiting = { name, file };
-      state.pendingFile.value = { name, offeredStep: result.offeredStep };
+      files.actions.setPendingFile({ name, offeredStep: result.offeredStep });
       return;
     }
     if (result.kind === 'unusable') {
@@ -126,7 +128,7 @@ export class FileOpener {
       return;
     }
     this.showMotion(name, result, reading);
-    this.context.state.opened.value = { name, file, ...(timeStep === undefined ? {} : { timeStep }) };
+    files.opened.emit({ name, file, ...(timeStep === undefined ? {} : { timeStep }) });
   }
 
   private showMotion(
@@ -134,11 +136,11 @@ export class FileOpener {
     result: Extract<CsvResult, { kind: 'motion' }>,
     { scenario, judgement }: FileReading,
   ): void {
-    const { state, messages } = this.context;
+    const { stage, messages } = this.context;
     const system = systemViews[result.systemId]!;
     const trajectory = Trajectory.of(result.columns, result.data);
     trajectory.recorded = true;
-    const shown = state.motion.peek();
+    const shown = stage.motion.peek();
     const defaults = Object.fromEntries(system.meta.parameters.map((p) => [p.name, p.default]));
     const notes = result.notes.map((note) => ({ line: 0, column: '', message: note }));
     this.context.show({
@@ -157,7 +159,7 @@ export class FileOpener {
       judgement,
     });
     if (result.skippedRows > 0) {
-      messages.add(
+      messages.report(
         'warning',
         `${name}: ${result.skippedRows} of ${result.rows + result.skippedRows} rows could not be used`,
         [...result.issues.slice(0, 3).map(describe), 'The rest plays; every row is listed with the file.'],
@@ -167,9 +169,9 @@ export class FileOpener {
 
   /** Pairs by base name; a lone half joins the half that is already in place. */
   private async openMeshes(files: readonly File[]): Promise<void> {
-    const { state } = this.context;
-    const next = new Map(state.meshes.peek());
-    const meta = state.motion.peek()?.system.meta ?? this.context.metas[state.draft.peek().system]!;
+    const { files: own, stage, experiment, metas } = this.context;
+    const next = new Map(own.state.meshes.peek());
+    const meta = stage.motion.peek()?.system.meta ?? metas[experiment.draft.peek().system]!;
     const names = modelsOf(meta);
     for (const file of files) {
       const [, base = '', ending = ''] = /^(.*)\.(mdl|mat)$/i.exec(file.name.toLowerCase()) ?? [];
@@ -182,11 +184,11 @@ export class FileOpener {
       const key = `${meta.id}/${base}`;
       next.set(key, { ...next.get(key), [ending === 'mdl' ? 'mdl' : 'mat']: await file.text() });
     }
-    state.meshes.value = next;
+    own.actions.setMeshes(next);
   }
 
   private fail(name: string, details: readonly string[]): void {
-    this.context.messages.add('error', `${name} could not be opened`, [
+    this.context.messages.report('error', `${name} could not be opened`, [
       ...details,
       'What was on the stage is still there.',
     ]);

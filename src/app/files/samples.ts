@@ -1,4 +1,9 @@
-import type { SampleInfo } from '../types.ts';
+export interface SampleInfo {
+  id: string;
+  title: string;
+  /** Relative to the page. */
+  url: string;
+}
 
 /** Recorded motions that come with the page (`public/data`, written by `npm run samples`). */
 export const samples: readonly SampleInfo[] = [

@@ -2,9 +2,10 @@
 
 const PREFIX = 'ripstik';
 const DATABASE = 'ripstik-lab';
+/** As it was first called: permanent. */
 const STORE = 'kept';
 
-export interface Shelf {
+export interface BrowserStorage {
   /** Small text, at once; null when there is none or it can't be had. */
   text(name: string): string | null;
   /** The reason when it could not be stored. */
@@ -16,7 +17,7 @@ export interface Shelf {
   clear(): Promise<string | null>;
 }
 
-export const browserShelf: Shelf = {
+export const browserStorage: BrowserStorage = {
   text(name) {
     try {
       return localStorage.getItem(`${PREFIX}.${name}`);

@@ -4,10 +4,12 @@ import { decodeLink, encodeLink, LinkError, type LinkContent, type OpenedLink } 
 import { difference } from '../../core/scenario/patch.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { shareText as text } from '../words.ts';
-import type { Keeper } from './autosave.ts';
-import { isView, workOf, type Work } from './savedWork.ts';
-import { isPlain, plotsFrom } from '../state/plotPanes.ts';
-import type { App, CaseInfo } from '../types.ts';
+import type { App } from '../app.ts';
+import { ownCase, type CaseInfo } from '../state/cases.ts';
+import { settingValues } from '../state/settings.ts';
+import type { Autosave } from './autosave.ts';
+import type { Work } from './savedWork.ts';
+import { fromLink, toLink } from './settingsCodec.ts';
 
 type Metas = Readonly<Record<string, SystemMeta>>;
 
@@ -18,20 +20,16 @@ type Metas = Readonly<Record<string, SystemMeta>>;
 export function linkOf(app: App): string {
   const { state } = app;
   for (const [path, message] of state.draftErrors.peek()) throw new LinkError(path, message);
-  const plots = state.plots.peek();
   const origin = state.origin.peek();
-  const [tool, time] = [state.tool.peek(), state.time.peek()];
-  const [view, motion] = [state.view.peek(), state.motion.peek()];
+  const [time, motion] = [state.time.peek(), state.motion.peek()];
   const content: LinkContent = {
     caseId: origin.id || null,
     title: origin.title,
     scenario: state.draft.peek(),
-    ...(tool === null ? {} : { tool }),
-    ...(view === 'orbit' ? {} : { view }),
+    ...toLink(settingValues(state)),
     ...(!state.playing.peek() && time > 0 && motion?.source === 'run' && time < motion.trajectory.end
       ? { time: Math.round(time * 1e6) / 1e6 }
       : {}),
-    ...(isPlain(plots) ? {} : { plots }),
   };
   return encodeLink(content, app);
 }
@@ -39,7 +37,7 @@ export function linkOf(app: App): string {
 /** Opens the address's link; a bad one is told and leaves everything as it is. Says whether it opened. */
 export function openLink(
   app: App,
-  keeper: Keeper,
+  autosave: Autosave,
   systems: Metas,
   toolIds: readonly string[],
   before: Work | null,
@@ -54,34 +52,19 @@ export function openLink(
     return false;
   }
   const found = app.cases.find((c) => c.id === link.caseId);
-  const origin: CaseInfo = found ?? {
-    id: '',
-    title: link.title ?? app.systemOf(link.scenario.system)!.meta.title,
-    summary: '',
-    scenario: link.scenario,
-  };
+  const origin = found ?? ownCase(link.title ?? app.systemOf(link.scenario.system)!.meta.title, link.scenario);
   const same = difference({ ...origin.scenario }, { ...link.scenario }).length === 0;
   const shown = app.state.motion.peek();
   app.actions.openScenario(origin, same ? origin.scenario : link.scenario, link.time === undefined);
-  look(app, link, toolIds);
+  app.actions.setAll(fromLink(link, { toolIds }));
   if (link.time !== undefined) seekWhenThere(app, link.time, shown);
-  tell(app, keeper, link, origin, toolIds, before);
+  tell(app, autosave, link, origin, toolIds, before);
   return true;
-}
-
-/** What a link came on top of. */
-export const workBefore = (app: App): Work => workOf(app.state);
-
-function look({ state }: App, { tool, view, plots }: OpenedLink, toolIds: readonly string[]): void {
-  if (tool !== undefined && toolIds.includes(tool)) state.tool.value = tool;
-  state.view.value = isView(view) ? view : 'orbit';
-  const shown = plotsFrom(plots);
-  if (shown) state.plots.value = shown;
 }
 
 function tell(
   app: App,
-  keeper: Keeper,
+  autosave: Autosave,
   { tool, altered }: OpenedLink,
   origin: CaseInfo,
   toolIds: readonly string[],
@@ -96,10 +79,10 @@ function tell(
     app.actions.report(kind, text.opened(origin.title), [text.openedFresh, ...remarks]);
     return;
   }
-  keeper.showOnly(before, clearAddress);
+  autosave.suspend(before, clearAddress);
   app.actions.report(kind, text.opened(origin.title), [text.openedHint, ...remarks], {
     label: text.back,
-    run: () => void keeper.putBack(before),
+    run: () => void autosave.restoreWork(before),
   });
 }
 

@@ -1,53 +1,28 @@
-/** The kept work as text, and back: what was stored is read like a stranger's file. */
+/** The work in progress as the text that the browser stores, and back: what was stored is read like a stranger's file. */
 import { collectScenarioErrors } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
-import { plotsFrom } from '../state/plotPanes.ts';
-import type { AppState, CaseInfo, PlotsState, ViewName } from '../types.ts';
+import type { AppState } from '../app.ts';
+import type { CaseInfo } from '../state/cases.ts';
+import type { DraftAndOrigin } from '../state/experiment.ts';
+import type { SettingValues } from '../state/settingsTable.ts';
+import { fromStored, recordOf, toStored } from './settingsCodec.ts';
 
-export const KEPT_VERSION = 1;
+export const SAVED_VERSION = 1;
 /** Characters; the drafts of all systems have a few thousand. */
 const LONGEST = 2e6;
-const VIEWS: Readonly<Record<ViewName, true>> = {
-  orbit: true,
-  front: true,
-  side: true,
-  top: true,
-  caster: true,
-  rider: true,
-};
-
-export const isView = (name: unknown): name is ViewName => typeof name === 'string' && Object.hasOwn(VIEWS, name);
 
 /** What is being worked on. */
-export interface Work {
-  draft: ScenarioFile;
-  origin: CaseInfo;
-  drafts: ReadonlyMap<string, { draft: ScenarioFile; origin: CaseInfo }>;
+export interface Work extends DraftAndOrigin {
+  drafts: ReadonlyMap<string, DraftAndOrigin>;
   /** The file on the stage, by name. */
   file: string | null;
 }
 
-/** How it is looked at; what is left out stays as it is. */
-export interface Settings {
-  theme?: 'light' | 'dark';
-  tool?: string | null;
-  view?: ViewName;
-  follow?: boolean;
-  showTrails?: boolean;
-  showForces?: boolean;
-  loop?: boolean;
-  speed?: number;
-  plots?: PlotsState;
-  look?: { [name in (typeof LOOKS)[number]]?: boolean } & { quality?: 'auto' | 'low' | 'high' };
-}
-
-/** What of the look is kept. */
-export const LOOKS = ['names', 'frames', 'inset', 'level'] as const;
-
-export interface Kept {
+export interface SavedState {
   work: Work;
-  settings: Settings;
+  /** What is left out stays as it is. */
+  settings: Partial<SettingValues>;
 }
 
 interface Known {
@@ -58,7 +33,7 @@ interface Known {
 
 export function workOf(state: AppState): Work {
   // A mode only stands in for the motion before it.
-  const motion = (state.aside.peek() ?? { motion: state.motion.peek() }).motion;
+  const { motion } = state.modePreview.peek()?.suspended ?? { motion: state.motion.peek() };
   return {
     draft: state.draft.peek(),
     origin: state.origin.peek(),
@@ -67,21 +42,29 @@ export function workOf(state: AppState): Work {
   };
 }
 
-export function toText({ work, settings }: Kept): string {
+export function toText({ work, settings }: SavedState): string {
   const drafts = [...work.drafts.values()].map(({ draft, origin }) => ({
     draft: origin.scenario === draft ? null : draft,
     origin: origin.id || { title: origin.title, scenario: origin.scenario },
   }));
-  return JSON.stringify({ version: KEPT_VERSION, system: work.draft.system, drafts, file: work.file, settings });
+  return JSON.stringify({
+    version: SAVED_VERSION,
+    system: work.draft.system,
+    drafts,
+    file: work.file,
+    settings: toStored(settings),
+  });
 }
 
 /** @throws Error that says what can't be used */
-export function fromText(text: string, known: Known): Kept {
-  if (text.length > LONGEST) throw new Error(`${text.length} characters are more than ever are kept`);
+export function fromText(text: string, known: Known): SavedState {
+  if (text.length > LONGEST) throw new Error(`${text.length} characters are more than are ever stored`);
   const raw = recordOf(JSON.parse(text));
-  if (raw['version'] !== KEPT_VERSION)
-    throw new Error(`it is of version ${String(raw['version']).slice(0, 20)}, this page keeps version ${KEPT_VERSION}`);
-  const drafts = new Map<string, { draft: ScenarioFile; origin: CaseInfo }>();
+  if (raw['version'] !== SAVED_VERSION)
+    throw new Error(
+      `it is of version ${String(raw['version']).slice(0, 20)}, this page stores version ${SAVED_VERSION}`,
+    );
+  const drafts = new Map<string, DraftAndOrigin>();
   for (const item of Array.isArray(raw['drafts']) ? raw['drafts'] : []) {
     const entry = draftOf(recordOf(item), known);
     drafts.set(entry.draft.system, entry);
@@ -89,10 +72,10 @@ export function fromText(text: string, known: Known): Kept {
   const current = drafts.get(String(raw['system']));
   if (!current) throw new Error('it names no draft to go on with');
   const file = typeof raw['file'] === 'string' ? raw['file'].slice(0, 200) : null;
-  return { work: { ...current, drafts, file }, settings: settingsOf(recordOf(raw['settings']), known) };
+  return { work: { ...current, drafts, file }, settings: fromStored(recordOf(raw['settings']), known) };
 }
 
-function draftOf(item: Record<string, unknown>, known: Known): { draft: ScenarioFile; origin: CaseInfo } {
+function draftOf(item: Record<string, unknown>, known: Known): DraftAndOrigin {
   const origin = originOf(item['origin'], known);
   if (item['draft'] === null) return { draft: origin.scenario, origin };
   const draft = scenarioOf(item['draft'], known);
@@ -119,36 +102,4 @@ function scenarioOf(raw: unknown, { systems }: Known): ScenarioFile {
   for (const [path, message] of collectScenarioErrors(raw, systems))
     throw new Error(path ? `${path}: ${message}` : message);
   return raw as ScenarioFile;
-}
-
-function settingsOf(raw: Record<string, unknown>, { toolIds }: Known): Settings {
-  const { theme, tool, view, speed } = raw;
-  const plots = plotsFrom(raw['plots']);
-  const switches = (['follow', 'showTrails', 'showForces', 'loop'] as const).filter(
-    (name) => typeof raw[name] === 'boolean',
-  );
-  return {
-    ...(theme === 'light' || theme === 'dark' ? { theme } : {}),
-    ...(tool === null || toolIds.includes(tool as string) ? { tool: tool as string | null } : {}),
-    ...(isView(view) ? { view } : {}),
-    ...Object.fromEntries(switches.map((name) => [name, raw[name]])),
-    ...(typeof speed === 'number' && speed >= 1 / 256 && speed <= 64 ? { speed } : {}),
-    ...(plots ? { plots } : {}),
-    look: lookOf(raw['look']),
-  };
-}
-
-function lookOf(raw: unknown): NonNullable<Settings['look']> {
-  const look = raw === undefined ? {} : recordOf(raw);
-  const { quality } = look;
-  return {
-    ...Object.fromEntries(LOOKS.filter((name) => typeof look[name] === 'boolean').map((name) => [name, look[name]])),
-    ...(quality === 'auto' || quality === 'low' || quality === 'high' ? { quality } : {}),
-  };
-}
-
-function recordOf(value: unknown): Record<string, unknown> {
-  if (typeof value !== 'object' || value === null || Array.isArray(value))
-    throw new Error('it is not what this page stores');
-  return value as Record<string, unknown>;
 }

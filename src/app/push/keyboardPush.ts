@@ -1,28 +1,32 @@
-/** The hand by keys: a force that is chosen in steps and goes along with its body until it is let go. */
+/** The push by keys: a force that is chosen in steps and goes along with its body until it is released. */
 import { batch, effect, signal, type ReadonlySignal } from '@preact/signals';
 import type { Push } from '../../core/simulation/push.ts';
+import { readonly } from '../state/signals.ts';
 import { bodyVelocity, canPush, firmness, posesNear } from './pointerPush.ts';
-import type { AppState, Motion } from '../types.ts';
+import type { Motion } from '../runs/motion.ts';
+import type { StageState } from '../runs/stageState.ts';
+import type { PlaybackState } from '../state/playback.ts';
+import type { PushActions, PushState } from './pushState.ts';
 
 /** N: ahead, to the left and up, as the body heads. */
 export type Force = readonly [ahead: number, left: number, up: number];
 
-export interface Hold {
+export interface KeyboardPush {
   /** Id of the body. */
   body: string;
   force: Force;
 }
 
-export interface KeyHand {
-  /** What is held, or null. */
-  hold: ReadonlySignal<Hold | null>;
-  /** One step more along a direction of -1, 0 and 1; takes hold of the body if need be, and of no other with it. */
+export interface KeyboardPusher {
+  /** What is pushed and how, or null. */
+  current: ReadonlySignal<KeyboardPush | null>;
+  /** One step more along a direction of -1, 0 and 1; begins to push the body if need be, and no other with it. */
   press(body: string, way: Force): void;
-  letGo(): void;
+  release(): void;
   dispose(): void;
 }
 
-/** A step stretches the hand's spring by about this much, m. */
+/** A step stretches the push's spring by about this much, m. */
 const STRETCH = 0.02;
 
 /** One step (N) of a spring (N/m): the number of 1, 2 or 5 times a power of ten that is nearest to a stretch of 2 cm. */
@@ -37,7 +41,11 @@ export function stepOf(stiffness: number): number {
  * The push that pulls at a body's origin with a force, going along with it from a time on (s): its spring is stretched
  * by force over stiffness, and its damper is at rest as long as the body goes on as it does.
  */
-export function pushOf(motion: Motion, time: number, { body: id, force: [ahead, left, up] }: Hold): Push | null {
+export function pushOf(
+  motion: Motion,
+  time: number,
+  { body: id, force: [ahead, left, up] }: KeyboardPush,
+): Push | null {
   const body = motion.system.meta.bodies.findIndex((one) => one.id === id);
   const { trajectory } = motion;
   if (body < 0 || trajectory.length === 0) return null;
@@ -68,50 +76,53 @@ function headingOf(pose: Float64Array): readonly [number, number] {
   return level > 1e-6 ? [y / level, -x / level] : [1, 0];
 }
 
-/** Becomes the state's grab while something is held, as the hand in the scene does; gives way to that one. */
-export function createKeyHand(state: AppState): KeyHand {
-  const hold = signal<Hold | null>(null);
+/** Becomes the state's push while it lasts, as the pointer's does in the scene; gives way to that one. */
+export function createKeyboardPusher(
+  state: Pick<StageState, 'motion' | 'run'> & Pick<PlaybackState, 'time'> & PushState,
+  { setPush }: PushActions,
+): KeyboardPusher {
+  const current = signal<KeyboardPush | null>(null);
   let own: Push | null = null;
-  const letGo = (): void => {
-    const mine = state.grab.peek() === own;
+  const release = (): void => {
+    const mine = state.push.peek() === own;
     own = null;
     batch(() => {
-      hold.value = null;
-      if (mine) state.grab.value = null;
+      current.value = null;
+      if (mine) setPush(null);
     });
   };
-  const pull = (): void => {
-    const [now, motion] = [hold.peek(), state.motion.peek()];
+  const act = (): void => {
+    const [now, motion] = [current.peek(), state.motion.peek()];
     if (!now || !motion) return;
-    if (own && state.grab.peek() !== own) return letGo();
+    if (own && state.push.peek() !== own) return release();
     const push = canPush(motion) ? pushOf(motion, state.time.peek(), now) : null;
-    if (!push) return letGo();
+    if (!push) return release();
     own = push;
-    state.grab.value = push;
+    setPush(push);
   };
   const stops = [
-    state.time.subscribe(pull),
+    state.time.subscribe(act),
     effect(() => {
-      // Over, or never begun: there is nothing left to pull at.
-      if (state.run.value?.kind === 'ended' && own) letGo();
+      // Over, or never begun: there is nothing left to push.
+      if (state.run.value?.kind === 'ended' && own) release();
     }),
   ];
   return {
-    hold,
+    current: readonly(current),
     press(body, way) {
-      const before = hold.peek()?.body === body ? hold.peek()!.force : ([0, 0, 0] as const);
+      const before = current.peek()?.body === body ? current.peek()!.force : ([0, 0, 0] as const);
       const motion = state.motion.peek();
       if (!motion || !canPush(motion)) return;
       const step = stepOf(firmness(motion).stiffness);
       const more = (i: 0 | 1 | 2): number => Number((before[i] + step * way[i]).toPrecision(6));
-      hold.value = { body, force: [more(0), more(1), more(2)] };
-      pull();
-      if (state.run.peek()?.kind === 'ended') letGo();
+      current.value = { body, force: [more(0), more(1), more(2)] };
+      act();
+      if (state.run.peek()?.kind === 'ended') release();
     },
-    letGo,
+    release,
     dispose() {
       for (const stop of stops) stop();
-      if (own) letGo();
+      if (own) release();
     },
   };
 }

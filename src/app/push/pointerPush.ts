@@ -1,11 +1,11 @@
-/** The hand that pulls at a body in the scene: what it can hold, how firmly, and the force it feels. */
+/** The push by pointer: what can be pushed, how firmly, and with what force. A spring and damper draw a body's point to the pointer. */
 import type { Push } from '../../core/simulation/push.ts';
-import type { Motion } from '../types.ts';
+import type { Motion } from '../runs/motion.ts';
 
 type Triple = readonly [number, number, number];
 type Rows = Pick<Motion, 'system' | 'parameters' | 'trajectory'>;
 
-/** A mass on the hand's spring would swing at this rate (rad/s), damped by this ratio. */
+/** A mass on the push's spring would swing at this rate (rad/s), damped by this ratio. */
 const RATE = 5;
 const DAMPING = 0.35;
 /** Rates are looked at over this much time, s. */
@@ -57,7 +57,7 @@ export function bodyPoint(poses: Float64Array, index: number, [x, y, z]: Triple)
 }
 
 /** Of the spring alone, N. */
-export const pull = ({ stiffness, target }: Pick<Push, 'stiffness' | 'target'>, at: Triple): number =>
+export const springForce = ({ stiffness, target }: Pick<Push, 'stiffness' | 'target'>, at: Triple): number =>
   stiffness * Math.hypot(target[0] - at[0], target[1] - at[1], target[2] - at[2]);
 
 const rounded = (x: number): number => Number(x.toPrecision(3));

@@ -1,9 +1,13 @@
 import { effect, untracked } from '@preact/signals';
 import type { Push, PushRecord } from '../../core/simulation/push.ts';
 import type { Live } from '../../compute/services/runTypes.ts';
-import type { AppState, Motion } from '../types.ts';
+import type { Motion } from '../runs/motion.ts';
+import type { StageState } from '../runs/stageState.ts';
+import type { PlaybackState } from '../state/playback.ts';
+import type { SettingsState } from '../state/settings.ts';
+import type { PushState } from './pushState.ts';
 
-/** How far a run is computed ahead of what is seen while something is grabbed, in seconds of the clock on the wall. */
+/** How far a run is computed ahead of what is seen while something is pushed, in seconds of the clock on the wall. */
 const AHEAD_S = 0.05;
 /** Rows that must be there to go on playing. */
 const AHEAD_ROWS = 2;
@@ -11,15 +15,17 @@ const AHEAD_ROWS = 2;
 export const PUSHED = 'pushed';
 export const RELEASED = 'released';
 
-/** What the hand needs of the runs. */
-export interface Graspable {
+type Timed = Pick<StageState, 'motion' | 'run'> & Pick<PlaybackState, 'time'> & Pick<SettingsState, 'speed'>;
+
+/** What a push needs of the runs. */
+export interface Pushable {
   /** Begins a run that goes on from the playback time and can be pushed; false where it can't be. */
   takeOver(push: Push): boolean;
   act(live: Live): void;
 }
 
-/** Follows `state.grab`: while something is grabbed, the run is computed only a little ahead of what is seen. */
-export function followGrab(state: AppState, runs: Graspable): void {
+/** Follows `state.push`: while something is pushed, the run is computed only a little ahead of what is seen. */
+export function followPush(state: Timed & PushState, runs: Pushable): void {
   let live = false;
   const horizon = (): number => horizonOf(state);
   const follow = (push: Push | null): void => {
@@ -30,28 +36,28 @@ export function followGrab(state: AppState, runs: Graspable): void {
     else live = runs.takeOver(push);
   };
   effect(() => {
-    const push = state.grab.value;
+    const push = state.push.value;
     untracked(() => follow(push));
   });
   effect(() => {
     void state.time.value;
-    if (live && state.grab.peek()) runs.act({ horizon: horizon() });
+    if (live && state.push.peek()) runs.act({ horizon: horizon() });
   });
 }
 
-/** Up to where a grabbed run is computed now, s. */
-export function horizonOf(state: AppState): number {
+/** Up to where a pushed run is computed now, s. */
+export function horizonOf(state: Pick<Timed, 'motion' | 'time' | 'speed'>): number {
   const rows = AHEAD_ROWS * (state.motion.peek()?.scenario?.outputStep ?? 0);
   return state.time.peek() + Math.max(rows, AHEAD_S * state.speed.peek());
 }
 
-/** What a motion's pushes were up to a time at which another run goes on from it, without a hand until one acts. */
+/** What a motion's pushes were up to a time at which another run goes on from it, without a push until one acts. */
 export function pushesUpTo(before: Motion, time: number): PushRecord[] {
-  const kept = (before.pushes ?? []).filter((r) => r.time < time);
-  return kept.at(-1)?.push ? [...kept, { time, push: null }] : kept;
+  const earlier = (before.pushes ?? []).filter((r) => r.time < time);
+  return earlier.at(-1)?.push ? [...earlier, { time, push: null }] : earlier;
 }
 
-/** A mark where a hand takes hold and where it lets go, none where it only moves. */
+/** A mark where a push begins and where it is released, none where it only moves. */
 export function withMark(
   marks: Motion['marks'],
   before: readonly PushRecord[] | undefined,

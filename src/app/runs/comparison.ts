@@ -1,4 +1,4 @@
-import { signal, type Signal } from '@preact/signals';
+import { signal, type ReadonlySignal } from '@preact/signals';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { MethodOptions, Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { RunCounts } from '../../core/simulation/simulation.ts';
@@ -6,6 +6,7 @@ import type { SystemMeta } from '../../core/model/system.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { Pool } from '../../compute/client/pool.ts';
 import type { RunClient } from '../../compute/client/runClient.ts';
+import { readonly } from '../state/signals.ts';
 
 /** One method in a comparison: a scenario's `method` with a name of its own. */
 export interface Contender {
@@ -34,9 +35,11 @@ const MOST_COMPARED = 24e6;
 
 /** Runs one scenario with several methods, each in a worker of its own, as many at a time as there are cores. */
 export class Comparison {
-  readonly outcomes: Signal<readonly Outcome[]> = signal([]);
+  private readonly list = signal<readonly Outcome[]>([]);
+  private readonly rowsVersion = signal(0);
+  readonly outcomes: ReadonlySignal<readonly Outcome[]> = readonly(this.list);
   /** Rises when trajectories grow: plots look again. */
-  readonly version = signal(0);
+  readonly version: ReadonlySignal<number> = readonly(this.rowsVersion);
   private readonly pool: Pool<RunClient>;
 
   constructor(pool: Pool<RunClient>) {
@@ -51,7 +54,7 @@ export class Comparison {
   start(file: ScenarioFile, contenders: readonly Contender[], metas: Readonly<Record<string, SystemMeta>>): void {
     this.stop();
     checkScenario({ ...file, method: {} }, metas);
-    this.outcomes.value = contenders.map((contender) => ({
+    this.list.value = contenders.map((contender) => ({
       contender,
       state: 'waiting',
       seconds: 0,
@@ -67,13 +70,19 @@ export class Comparison {
   /** Ends what is under way; what was computed stays. */
   stop(): void {
     this.pool.stop();
-    this.outcomes.value = this.outcomes
+    this.list.value = this.outcomes
       .peek()
       .map((o) =>
         o.state === 'waiting' || o.state === 'computing'
           ? { ...o, state: 'ended', reason: 'cancelled', message: 'cancelled' }
           : o,
       );
+  }
+
+  /** Ends what is under way and forgets what was computed. */
+  clear(): void {
+    this.stop();
+    this.list.value = [];
   }
 
   private compute(
@@ -105,7 +114,7 @@ export class Comparison {
       },
       rows: (columns, rows, time, counts, seconds) => {
         trajectory!.append(columns, rows);
-        this.version.value++;
+        this.rowsVersion.value++;
         this.update(index, { reached: time, counts, seconds });
       },
       ended: (end, counts, seconds) => {
@@ -127,6 +136,6 @@ export class Comparison {
   }
 
   private update(index: number, change: Partial<Outcome>): void {
-    this.outcomes.value = this.outcomes.peek().map((o, i) => (i === index ? { ...o, ...change } : o));
+    this.list.value = this.outcomes.peek().map((o, i) => (i === index ? { ...o, ...change } : o));
   }
 }

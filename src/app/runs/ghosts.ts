@@ -1,8 +1,10 @@
+import type { ReadonlySignal } from '@preact/signals';
 import { CURVES } from './curveStyles.ts';
 import type { Stage } from './stage.ts';
-import type { AppState } from '../types.ts';
+import type { PinnedRun } from './pinnedRuns.ts';
+import type { StageState } from './stageState.ts';
 
-/** One kept run as it stands at a time, in the bodies of the system on the stage. */
+/** One pinned run as it stands at a time, in the bodies of the system on the stage. */
 export interface GhostPoses {
   id: string;
   label: string;
@@ -11,11 +13,15 @@ export interface GhostPoses {
   wheelAngles: Float64Array;
 }
 
-/** Kept runs that are shown as ghosts, of the system on the stage; before its start and after its end each stands still. */
-export function ghostsAt(state: AppState, stage: Pick<Stage, 'samplerOf'>, time: number): GhostPoses[] {
+/** Pinned runs that are shown as ghosts, of the system on the stage; before its start and after its end each stands still. */
+export function ghostsAt(
+  state: Pick<StageState, 'motion'> & { pinned: ReadonlySignal<readonly PinnedRun[]> },
+  stage: Pick<Stage, 'samplerOf'>,
+  time: number,
+): GhostPoses[] {
   const motion = state.motion.value;
   if (!motion) return [];
-  const shown = state.kept.value.filter(
+  const shown = state.pinned.value.filter(
     (run) => run.ghost && run.motion.system === motion.system && run.motion.id !== motion.id,
   );
   return shown.flatMap(({ id, name, style, motion: own }) => {

@@ -1,23 +1,16 @@
 /** Eigenvectors on the stage: a mode as a motion that loops, and the way back to what was there. */
-import { effect, untracked } from '@preact/signals';
+import { effect, signal, untracked, type ReadonlySignal } from '@preact/signals';
 import { modeTrajectory, modeDuration, type ShownMode } from '../../core/control/linearization/modeTrajectory.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta, SystemView } from '../../core/model/system.ts';
+import type { PlaybackState } from '../state/playback.ts';
+import { speeds } from '../state/playbackClock.ts';
+import type { SettingsSlice } from '../state/settings.ts';
+import { readonly } from '../state/signals.ts';
+import type { RunState } from './motion.ts';
 import type { Runs } from './runs.ts';
-import type { AppState, Motion, RunState, RunStatistics } from '../types.ts';
-
-/** What of the person's mode was asked for, and what stood on the stage before. */
-export interface Aside {
-  mode: ModeRequest;
-  growth: boolean;
-  motion: Motion | null;
-  run: RunState | null;
-  statistics: RunStatistics | null;
-  time: number;
-  speed: number;
-  loop: boolean;
-}
+import type { StageContent, StageState } from './stageState.ts';
 
 export interface ModeRequest {
   /** The experiment whose linearization it is. */
@@ -26,60 +19,62 @@ export interface ModeRequest {
   mode: Omit<ShownMode, 'coordinates'>;
 }
 
+/** What stood on the stage before a mode, and how it was played. */
+export interface SuspendedStage extends StageContent {
+  time: number;
+  speed: number;
+  loop: boolean;
+}
+
+/** The mode on the stage. */
+export interface ModePreview {
+  request: ModeRequest;
+  /** Growing as it does, or by its shape alone. */
+  growth: boolean;
+  suspended: SuspendedStage;
+}
+
 /** A mode is played in about this time, s. */
 const WATCHED = 5;
 
 /** The speed of a list at which a motion takes about as long as one watches. */
-export function speedFor(duration: number, speeds: readonly number[]): number {
+export function speedFor(duration: number, choices: readonly number[]): number {
   const away = (speed: number): number => Math.abs(Math.log(duration / speed / WATCHED));
-  return speeds.reduce((best, speed) => (away(speed) < away(best) ? speed : best), speeds[0]!);
+  return choices.reduce((best, speed) => (away(speed) < away(best) ? speed : best), choices[0]!);
 }
 
-export class ModeStage {
-  private readonly state: AppState;
-  private readonly runs: Runs;
-  private readonly views: Readonly<Record<string, SystemView>>;
-  private readonly metas: Readonly<Record<string, SystemMeta>>;
+export interface ModePreviewContext {
+  stage: StageState;
+  playback: PlaybackState;
+  settings: SettingsSlice;
+  runs: Runs;
+  views: Readonly<Record<string, SystemView>>;
+  metas: Readonly<Record<string, SystemMeta>>;
+}
 
-  constructor(
-    state: AppState,
-    runs: Runs,
-    views: Readonly<Record<string, SystemView>>,
-    metas: Readonly<Record<string, SystemMeta>>,
-  ) {
-    this.state = state;
-    this.runs = runs;
-    this.views = views;
-    this.metas = metas;
+export class ModePreviewer {
+  private readonly context: ModePreviewContext;
+  private readonly preview = signal<ModePreview | null>(null);
+  readonly state: { modePreview: ReadonlySignal<ModePreview | null> } = { modePreview: readonly(this.preview) };
+
+  constructor(context: ModePreviewContext) {
+    this.context = context;
     effect(() => {
-      if (state.motion.value?.source !== 'mode') untracked(() => this.leave());
+      if (context.stage.motion.value?.source !== 'mode') untracked(() => this.end());
     });
   }
 
   /** Shows a mode, or the one shown with or without its growth. @throws ScenarioError when the scenario is wrong */
-  show(mode: ModeRequest, growth: boolean, speeds: readonly number[]): void {
-    const { state } = this;
-    const scenario = checkScenario(mode.scenario, this.metas);
-    const system = this.views[scenario.system]!;
-    const shown = { ...mode.mode, coordinates: system.meta.coordinates };
-    const trajectory = modeTrajectory(shown, growth);
-    const run = state.run.peek();
-    const before = state.aside.peek() ?? {
-      motion: state.motion.peek(),
-      statistics: state.statistics.peek(),
-      time: state.time.peek(),
-      speed: state.speed.peek(),
-      loop: state.loop.peek(),
-      // A run under way ends here: the stage is another's.
-      run:
-        run?.kind === 'computing'
-          ? { kind: 'ended' as const, reason: 'cancelled', message: '', time: state.motion.peek()?.trajectory.end ?? 0 }
-          : run,
-    };
-    state.aside.value = { ...before, mode, growth };
-    this.runs.show({
+  show(request: ModeRequest, growth: boolean): void {
+    const { settings, runs, views, metas } = this.context;
+    const scenario = checkScenario(request.scenario, metas);
+    const system = views[scenario.system]!;
+    const trajectory = modeTrajectory({ ...request.mode, coordinates: system.meta.coordinates }, growth);
+    const suspended = this.preview.peek()?.suspended ?? this.present();
+    this.preview.value = { request, growth, suspended };
+    runs.show({
       source: 'mode',
-      title: mode.title,
+      title: request.title,
       system,
       parameters: scenario.parameters,
       trajectory,
@@ -91,24 +86,39 @@ export class ModeStage {
       marks: [],
       judgement: null,
     });
-    state.loop.value = true;
-    state.speed.value = speedFor(modeDuration(mode.mode.eigenvalue, growth), speeds);
+    settings.actions.setAll({ loop: true, speed: speedFor(modeDuration(request.mode.eigenvalue, growth), speeds) });
   }
 
   /** Back to what was on the stage before. */
-  back(): void {
-    const aside = this.state.aside.peek();
-    if (!aside) return;
-    if (aside.motion) this.runs.restore(aside.motion, aside.run, aside.statistics, aside.time);
-    else this.runs.run();
+  leave(): void {
+    const suspended = this.preview.peek()?.suspended;
+    if (!suspended) return;
+    if (suspended.motion) this.context.runs.restore(suspended, suspended.time);
+    else this.context.runs.run();
   }
 
-  private leave(): void {
-    const { state } = this;
-    const aside = state.aside.peek();
-    if (!aside) return;
-    state.aside.value = null;
-    state.loop.value = aside.loop;
-    state.speed.value = aside.speed;
+  private present(): SuspendedStage {
+    const { stage, playback, settings } = this.context;
+    const motion = stage.motion.peek();
+    return {
+      motion,
+      run: stopped(stage.run.peek(), motion?.trajectory.end ?? 0),
+      statistics: stage.statistics.peek(),
+      time: playback.time.peek(),
+      speed: settings.state.speed.peek(),
+      loop: settings.state.loop.peek(),
+    };
   }
+
+  private end(): void {
+    const suspended = this.preview.peek()?.suspended;
+    if (!suspended) return;
+    this.preview.value = null;
+    this.context.settings.actions.setAll({ loop: suspended.loop, speed: suspended.speed });
+  }
+}
+
+/** A run under way ends when the stage is another's. */
+function stopped(run: RunState | null, time: number): RunState | null {
+  return run?.kind === 'computing' ? { kind: 'ended', reason: 'cancelled', message: '', time } : run;
 }

@@ -1,9 +1,11 @@
-import { effect, signal, type Signal } from '@preact/signals';
-import type { Messages } from '../state/messages.ts';
-import type { AppState, Motion, RunState, RunStatistics } from '../types.ts';
+import { effect, signal, type ReadonlySignal } from '@preact/signals';
+import type { MessageActions } from '../state/messages.ts';
+import { readonly } from '../state/signals.ts';
+import type { Motion, RunState, RunStatistics } from './motion.ts';
+import type { StageState } from './stageState.ts';
 
 /** A motion that stays, beside the one on the stage. */
-export interface KeptRun {
+export interface PinnedRun {
   id: number;
   /** As the person calls it. */
   name: string;
@@ -19,29 +21,36 @@ export interface KeptRun {
   ghost: boolean;
 }
 
-/** Numbers that kept runs may hold together, in bytes; and how many there may be, as many as curves can be told apart. */
-export const KEPT_BYTES = 256e6;
-export const MOST_KEPT = 11;
+/** Numbers that pinned runs may hold together, in bytes; and how many there may be, as many as curves can be told apart. */
+export const MOST_PINNED_BYTES = 256e6;
+export const MOST_PINNED = 11;
 
 /** Names are cut here. */
 const LONGEST_NAME = 80;
 
 export const bytesOf = ({ trajectory }: Motion): number => 8 * trajectory.columns.length * trajectory.length;
 
-/** Keeps what was on the stage. A run still computing is kept as it goes on. */
-export class Kept {
-  readonly runs: Signal<readonly KeptRun[]>;
-  /** What was removed last, and where it stood. */
-  readonly removed: Signal<{ run: KeptRun; place: number } | null> = signal(null);
-  private readonly state: AppState;
-  private readonly messages: Messages;
+interface Removed {
+  run: PinnedRun;
+  /** Where it stood. */
+  place: number;
+}
+
+/** Pins what is on the stage. A run still computing is pinned as it goes on. */
+export class PinnedRuns {
+  private readonly list = signal<readonly PinnedRun[]>([]);
+  private readonly lastRemoved = signal<Removed | null>(null);
+  readonly runs: ReadonlySignal<readonly PinnedRun[]> = readonly(this.list);
+  /** What was removed last. */
+  readonly removed: ReadonlySignal<Removed | null> = readonly(this.lastRemoved);
+  private readonly stage: StageState;
+  private readonly messages: MessageActions;
   private next = 1;
 
-  constructor(state: AppState, messages: Messages) {
-    this.state = state;
+  constructor(stage: StageState, messages: MessageActions) {
+    this.stage = stage;
     this.messages = messages;
-    this.runs = state.kept;
-    effect(() => this.follow(state.run.value));
+    effect(() => this.follow(stage.run.value));
   }
 
   /** Bytes held. */
@@ -49,61 +58,61 @@ export class Kept {
     return this.runs.value.reduce((sum, { motion }) => sum + bytesOf(motion), 0);
   }
 
-  /** Keeps the motion on the stage; says so when there is no room. Its entry, or null. */
-  keep(): KeptRun | null {
-    const { state } = this;
-    const motion = state.motion.peek();
+  /** Pins the motion on the stage; says so when there is no room. Its entry, or null. */
+  pin(): PinnedRun | null {
+    const { stage } = this;
+    const motion = stage.motion.peek();
     if (!motion || motion.trajectory.length === 0)
       return this.refuse('There is nothing to keep', 'Run a scenario or open a file first.');
     const runs = this.runs.peek();
     const already = runs.find((r) => r.motion.id === motion.id);
     if (already) return this.refuse('This run is kept already', `It is called “${already.name}”.`);
-    if (runs.length >= MOST_KEPT)
+    if (runs.length >= MOST_PINNED)
       return this.refuse(
         'No more runs can be kept',
-        `There are ${MOST_KEPT}, as many as curves can be told apart; remove one first.`,
+        `There are ${MOST_PINNED}, as many as curves can be told apart; remove one first.`,
       );
     const bytes = this.runs.peek().reduce((sum, r) => sum + bytesOf(r.motion), bytesOf(motion));
-    if (bytes > KEPT_BYTES)
+    if (bytes > MOST_PINNED_BYTES)
       return this.refuse(
         'This run is too large to keep',
-        `Kept runs would hold ${(bytes / 1e6).toFixed(0)} MB, more than ${KEPT_BYTES / 1e6} MB; remove some, or run with a larger output step.`,
+        `Kept runs would hold ${(bytes / 1e6).toFixed(0)} MB, more than ${MOST_PINNED_BYTES / 1e6} MB; remove some, or run with a larger output step.`,
       );
-    const run = state.run.peek();
-    const kept: KeptRun = {
+    const run = stage.run.peek();
+    const pinned: PinnedRun = {
       id: this.next++,
       name: this.unusedName(motion.title),
       style: this.unusedStyle(),
       motion,
-      statistics: motion.source === 'run' ? state.statistics.peek() : null,
+      statistics: motion.source === 'run' ? stage.statistics.peek() : null,
       ending: run?.kind === 'ended' && motion.source === 'run' ? run : null,
       visible: true,
       ghost: false,
     };
-    this.runs.value = [...runs, kept];
-    return kept;
+    this.list.value = [...runs, pinned];
+    return pinned;
   }
 
-  /** The entry of the motion on the stage, if it is kept. */
-  ofStage(): KeptRun | undefined {
-    const id = this.state.motion.value?.id;
+  /** The entry of the motion on the stage, if it is pinned. */
+  ofStage(): PinnedRun | undefined {
+    const id = this.stage.motion.value?.id;
     return this.runs.value.find((r) => r.motion.id === id);
   }
 
-  change(id: number, change: Partial<Pick<KeptRun, 'name' | 'visible' | 'ghost'>>): void {
+  change(id: number, change: Partial<Pick<PinnedRun, 'name' | 'visible' | 'ghost'>>): void {
     const name = change.name === undefined ? undefined : change.name.trim().slice(0, LONGEST_NAME);
     // An empty name is none.
     const clean = { ...change, ...(name === undefined ? {} : { name }) };
     if (name === '') delete clean.name;
-    this.runs.value = this.runs.peek().map((r) => (r.id === id ? { ...r, ...clean } : r));
+    this.list.value = this.runs.peek().map((r) => (r.id === id ? { ...r, ...clean } : r));
   }
 
   remove(id: number): void {
     const runs = this.runs.peek();
     const place = runs.findIndex((r) => r.id === id);
     if (place < 0) return;
-    this.removed.value = { run: runs[place]!, place };
-    this.runs.value = runs.filter((r) => r.id !== id);
+    this.lastRemoved.value = { run: runs[place]!, place };
+    this.list.value = runs.filter((r) => r.id !== id);
   }
 
   /** Puts back what was removed last; in another colour when its own is taken. */
@@ -113,20 +122,20 @@ export class Kept {
     const runs = [...this.runs.peek()];
     const style = runs.some((r) => r.style === removed.run.style) ? this.unusedStyle() : removed.run.style;
     runs.splice(removed.place, 0, { ...removed.run, style });
-    this.removed.value = null;
-    this.runs.value = runs;
+    this.lastRemoved.value = null;
+    this.list.value = runs;
   }
 
   private follow(run: RunState | null): void {
-    const motion = this.state.motion.peek();
-    const kept = this.runs.peek().find((r) => r.motion.id === motion?.id);
-    if (!kept || run?.kind !== 'ended' || kept.ending || motion?.source !== 'run') return;
-    const statistics = this.state.statistics.peek();
-    this.runs.value = this.runs.peek().map((r) => (r === kept ? { ...r, motion, statistics, ending: run } : r));
+    const motion = this.stage.motion.peek();
+    const pinned = this.runs.peek().find((r) => r.motion.id === motion?.id);
+    if (!pinned || run?.kind !== 'ended' || pinned.ending || motion?.source !== 'run') return;
+    const statistics = this.stage.statistics.peek();
+    this.list.value = this.runs.peek().map((r) => (r === pinned ? { ...r, motion, statistics, ending: run } : r));
   }
 
   private refuse(title: string, detail: string): null {
-    this.messages.add('info', title, [detail]);
+    this.messages.report('info', title, [detail]);
     return null;
   }
 

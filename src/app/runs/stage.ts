@@ -2,7 +2,10 @@ import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { MotionSampler } from '../../core/motion/motionSampler.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
-import type { App, Motion } from '../types.ts';
+import type { PlaybackState } from '../state/playback.ts';
+import { readonly } from '../state/signals.ts';
+import type { Motion } from './motion.ts';
+import type { StageState } from './stageState.ts';
 
 /** What is on the stage at the playback time: the sampler of the motion being watched, and words for it. */
 export interface Stage {
@@ -33,9 +36,8 @@ function inWords(meta: SystemMeta, t: number, at: (name: string) => number): str
   return `${meta.title} at ${t.toFixed(1)} s: ${values.join('; ')}.`;
 }
 
-export function stageOf(app: App): Stage {
-  const { state } = app;
-  // A motion keeps its sampler when only its marks change, and when it leaves the stage and is kept.
+export function stageOf({ state }: { state: StageState & Pick<PlaybackState, 'time'> }): Stage {
+  // A motion keeps its sampler when only its marks change, and when it leaves the stage and is pinned.
   const samplers = new WeakMap<Trajectory, MotionSampler>();
   const samplerOf = ({ system, parameters, trajectory, constraints }: Motion): MotionSampler => {
     const found = samplers.get(trajectory) ?? new MotionSampler(system, parameters, trajectory, constraints);
@@ -57,5 +59,5 @@ export function stageOf(app: App): Stage {
     if (text !== description.peek()) description.value = text;
   };
   setInterval(describe, 1000);
-  return { sampler, description, samplerOf };
+  return { sampler, description: readonly(description), samplerOf };
 }

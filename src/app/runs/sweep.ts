@@ -1,4 +1,4 @@
-import { signal, type Signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import { MOST_SWEEP_RUNS, withAxisValue, type SweepAxis, type SweepValue } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
@@ -6,8 +6,9 @@ import type { Answer } from '../../compute/client/answer.ts';
 import type { Pool } from '../../compute/client/pool.ts';
 import type { SweepClient } from '../../compute/client/sweepClient.ts';
 import type { Measured } from '../../compute/services/sweepTypes.ts';
+import { readonly } from '../state/signals.ts';
 
-/** What is run and what is kept of it. */
+/** What is run and what is measured of it. */
 export interface SweepPlan {
   title: string;
   file: ScenarioFile;
@@ -29,11 +30,14 @@ const TELL_MS = 200;
 
 /** Computes a sweep aside, a worker a core but one; what has come so far is there at any time. */
 export class Sweep {
-  readonly plan: Signal<SweepPlan | null> = signal(null);
+  private readonly ownPlan = signal<SweepPlan | null>(null);
+  private readonly ownVersion = signal(0);
+  private readonly ownState = signal<'empty' | 'computing' | 'ended' | 'cancelled'>('empty');
+  readonly plan = readonly(this.ownPlan);
   /** By place in the plan; read anew when `version` rises. */
   readonly results: (SweepResult | undefined)[] = [];
-  readonly version = signal(0);
-  readonly state: Signal<'empty' | 'computing' | 'ended' | 'cancelled'> = signal('empty');
+  readonly version = readonly(this.ownVersion);
+  readonly state = readonly(this.ownState);
   /** Runs done, with the shares of those under way. */
   progress = 0;
   /** Runs done. */
@@ -63,8 +67,8 @@ export class Sweep {
     this.results.length = 0;
     this.results.length = total;
     this.done = this.progress = 0;
-    this.plan.value = plan;
-    this.state.value = 'computing';
+    this.ownPlan.value = plan;
+    this.ownState.value = 'computing';
     this.tell();
     this.pool.start(
       total,
@@ -105,14 +109,14 @@ export class Sweep {
   }
 
   private finish(state: 'ended' | 'cancelled'): void {
-    this.state.value = state;
+    this.ownState.value = state;
     this.tell();
   }
 
   private tell(): void {
     this.timer ??= setTimeout(() => {
       this.timer = null;
-      this.version.value++;
+      this.ownVersion.value++;
     }, TELL_MS);
   }
 }

@@ -1,23 +1,51 @@
-import type { Signal } from '@preact/signals';
-import type { Message, MessageAction } from '../types.ts';
+import { signal, type ReadonlySignal } from '@preact/signals';
+import { readonly } from './signals.ts';
 
-/** What the page has to say; newest last, oldest dropped when there are too many to read. */
-export class Messages {
-  private readonly list: Signal<readonly Message[]>;
-  private next = 1;
+export interface MessageAction {
+  label: string;
+  run(): void;
+}
 
-  constructor(list: Signal<readonly Message[]>) {
-    this.list = list;
-  }
+export interface Message {
+  id: number;
+  kind: 'info' | 'warning' | 'error';
+  title: string;
+  /** What happened, where, what to do. */
+  details: readonly string[];
+  /** What the person may do about it with one press. */
+  action?: MessageAction;
+}
 
-  add(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void {
-    this.list.value = [
-      ...this.list.peek(),
-      { id: this.next++, kind, title, details, ...(action ? { action } : {}) },
-    ].slice(-5);
-  }
+/** More are too many to read: the oldest goes. */
+const MOST_MESSAGES = 5;
 
-  dismiss(id: number): void {
-    this.list.value = this.list.peek().filter((m) => m.id !== id);
-  }
+export interface MessageState {
+  messages: ReadonlySignal<readonly Message[]>;
+}
+
+export interface MessageActions {
+  /** Tells the person something. */
+  report(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void;
+  dismiss(messageId: number): void;
+}
+
+export interface MessagesSlice {
+  state: MessageState;
+  actions: MessageActions;
+}
+
+/** What the page has to say; newest last. */
+export function createMessages(): MessagesSlice {
+  const messages = signal<readonly Message[]>([]);
+  let next = 1;
+  return {
+    state: { messages: readonly(messages) },
+    actions: {
+      report(kind, title, details, action) {
+        const message = { id: next++, kind, title, details, ...(action ? { action } : {}) };
+        messages.value = [...messages.peek(), message].slice(-MOST_MESSAGES);
+      },
+      dismiss: (id) => void (messages.value = messages.peek().filter((m) => m.id !== id)),
+    },
+  };
 }

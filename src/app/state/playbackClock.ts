@@ -1,11 +1,12 @@
-import { effect, type Signal } from '@preact/signals';
+/** Time that goes on with the display, at a chosen speed. */
+import { effect, type ReadonlySignal, type Signal } from '@preact/signals';
 
 export interface Playback {
   time: Signal<number>;
   playing: Signal<boolean>;
-  speed: Signal<number>;
+  speed: ReadonlySignal<number>;
   heldSpeed: Signal<number | null>;
-  loop: Signal<boolean>;
+  loop: ReadonlySignal<boolean>;
 }
 
 /** What the clock plays against. */

@@ -1,6 +1,25 @@
 /** What is plotted, as a link or the storage has it: read like a stranger's file. */
 import { compileExpression } from '../../core/scenario/expressions.ts';
-import type { PlotPane, PlotsState } from '../types.ts';
+
+/** One plot: columns over time or over another column. Plain data, so that it can be stored and shared. */
+export interface PlotPane {
+  title: string;
+  x: string;
+  y: readonly string[];
+  hidden?: readonly string[];
+  equal?: boolean;
+  /** Where the horizontal axis ends, if before the motion. */
+  to?: number;
+  /** A curve in closed form, an expression of t. */
+  exact?: { label: string; expression: string };
+}
+
+export interface PlotsState {
+  /** What the person made for one case or system (`key`); those of the case while there is none. */
+  own: { key: string; panes: readonly PlotPane[] } | null;
+  degrees: boolean;
+  wrapped: boolean;
+}
 
 const MOST_PANES = 24;
 const MOST_COLUMNS = 100;
@@ -15,9 +34,6 @@ export function plotsFrom(value: unknown): PlotsState | null {
   const panes = own['panes'].map(paneFrom);
   return panes.every((pane) => pane !== null) ? { own: { key: own['key'], panes }, degrees, wrapped } : null;
 }
-
-/** Whether there is anything to tell of. */
-export const isPlain = ({ own, degrees, wrapped }: PlotsState): boolean => own === null && degrees && !wrapped;
 
 function paneFrom(value: unknown): PlotPane | null {
   if (!isRecord(value)) return null;

@@ -1,4 +1,4 @@
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import type { LocusCurve, LocusPlot } from '../../charts/locusPlot.ts';
 import { token } from '../../charts/tokens.ts';
 import type { ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';

@@ -5,20 +5,21 @@ import { modeWords as words } from './words.ts';
 
 export function ModeActions() {
   const { state, actions } = useUi().app;
-  const aside = state.aside.value;
-  if (!aside || state.motion.value?.source !== 'mode') return null;
-  const [re, im] = aside.mode.mode.eigenvalue;
-  const choose = (growth: boolean) => actions.showMode(aside.mode, growth);
+  const preview = state.modePreview.value;
+  if (!preview || state.motion.value?.source !== 'mode') return null;
+  const { request, growth } = preview;
+  const [re, im] = request.mode.eigenvalue;
+  const choose = (growing: boolean) => actions.showMode(request, growing);
   return (
     <>
       <p>{words.modeHint('10°')}</p>
       <div class="caption-actions">
         {re !== 0 && im !== 0 && (
           <div class="segments" role="group" aria-label={words.growthLabel}>
-            <Toggle pressed={aside.growth} testId="mode-growth" onClick={() => choose(true)}>
+            <Toggle pressed={growth} testId="mode-growth" onClick={() => choose(true)}>
               {words.growth}
             </Toggle>
-            <Toggle pressed={!aside.growth} testId="mode-shape" onClick={() => choose(false)}>
+            <Toggle pressed={!growth} testId="mode-shape" onClick={() => choose(false)}>
               {words.shapeOnly}
             </Toggle>
           </div>

@@ -61,7 +61,7 @@ export function PointSection({
 
 /** Where the point is a controller's, the running motion goes on with the new one. */
 function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): void {
-  edit(ui, (now) => withPoint(now, name, value));
+  edit(ui, name, (now) => withPoint(now, name, value));
   if (ui.app.state.draft.peek().control?.type === 'lqr') ui.app.actions.retune();
 }
 

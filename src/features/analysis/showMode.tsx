@@ -38,7 +38,7 @@ export function ShowMode({
   const { state, actions } = useUi().app;
   const [re, im] = row.eigenvalue;
   const show = () => {
-    if (matchMedia(COVERED).matches) state.tool.value = null;
+    if (matchMedia(COVERED).matches) actions.set('tool', null);
     // What grows by more than e in a radian of its swing is over before it has swung: its shape is shown first.
     actions.showMode(modeRequest(row, analysis, state.draft.peek()), im === 0 || Math.abs(re) < Math.abs(im));
   };

@@ -1,6 +1,6 @@
 import { effect, type Signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { createOverlayPlot, type OverlayCurve, type OverlayPlot } from '../../charts/overlayPlot.ts';
 import { token } from '../../charts/tokens.ts';
 import { shownFactor, spoken, type Column } from '../../core/motion/columns.ts';

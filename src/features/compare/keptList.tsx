@@ -1,4 +1,4 @@
-import { bytesOf, KEPT_BYTES, MOST_KEPT, type KeptRun } from '../../app/runs/pinnedRuns.ts';
+import { bytesOf, MOST_PINNED_BYTES, MOST_PINNED, type PinnedRun } from '../../app/runs/pinnedRuns.ts';
 import { words } from './words.ts';
 import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
@@ -25,11 +25,11 @@ export function Swatch({ style }: { style: (typeof CURVES)[number] | null }) {
 
 export function KeptList() {
   const {
-    app: { state, kept },
+    app: { state, pinned },
   } = useUi();
   const motion = state.motion.value;
-  const stage = kept.ofStage();
-  const removed = kept.removed.value;
+  const stage = pinned.ofStage();
+  const removed = pinned.removed.value;
   void state.rowsVersion.value;
   return (
     <section aria-label={words.list}>
@@ -39,7 +39,7 @@ export function KeptList() {
           class={stage ? '' : 'primary'}
           data-testid="compare-keep"
           disabled={!motion || stage !== undefined}
-          onClick={() => kept.keep()}
+          onClick={() => pinned.pin()}
         >
           {stage ? words.kept : motion?.source === 'file' ? words.keepFile : words.keep}
         </button>
@@ -47,24 +47,24 @@ export function KeptList() {
         {removed && (
           <span role="status">
             {words.removed(removed.run.name)}{' '}
-            <button type="button" class="link" data-testid="kept-undo" onClick={() => kept.undo()}>
+            <button type="button" class="link" data-testid="kept-undo" onClick={() => pinned.undo()}>
               {words.undo}
             </button>
           </span>
         )}
       </div>
-      {state.kept.value.length > 0 && (
+      {state.pinned.value.length > 0 && (
         <>
           <ul class="kept-list" data-testid="kept-list">
-            {state.kept.value.map((run) => (
+            {state.pinned.value.map((run) => (
               <Row key={run.id} run={run} />
             ))}
           </ul>
           <p class="hint">
             {words.room(
-              formatShort(state.kept.value.reduce((sum, r) => sum + bytesOf(r.motion), 0) / 1e6, 3),
-              formatShort(KEPT_BYTES / 1e6),
-              MOST_KEPT,
+              formatShort(state.pinned.value.reduce((sum, r) => sum + bytesOf(r.motion), 0) / 1e6, 3),
+              formatShort(MOST_PINNED_BYTES / 1e6),
+              MOST_PINNED,
             )}
           </p>
         </>
@@ -73,9 +73,9 @@ export function KeptList() {
   );
 }
 
-function Row({ run }: { run: KeptRun }) {
+function Row({ run }: { run: PinnedRun }) {
   const {
-    app: { state, kept },
+    app: { state, pinned },
   } = useUi();
   const { id, name, motion, visible, ghost } = run;
   const onStage = state.motion.value?.id === motion.id;
@@ -91,8 +91,8 @@ function Row({ run }: { run: KeptRun }) {
           data-testid={`kept-name-${id}`}
           maxLength={80}
           onChange={(event) => {
-            kept.change(id, { name: event.currentTarget.value });
-            event.currentTarget.value = state.kept.peek().find((r) => r.id === id)?.name ?? name;
+            pinned.change(id, { name: event.currentTarget.value });
+            event.currentTarget.value = state.pinned.peek().find((r) => r.id === id)?.name ?? name;
           }}
         />
         <span class="kept-facts">
@@ -104,7 +104,7 @@ function Row({ run }: { run: KeptRun }) {
         pressed={visible}
         label={words.showPlots(name)}
         testId={`kept-visible-${id}`}
-        onClick={() => kept.change(id, { visible: !visible })}
+        onClick={() => pinned.change(id, { visible: !visible })}
       >
         {words.plots}
       </Toggle>
@@ -113,7 +113,7 @@ function Row({ run }: { run: KeptRun }) {
         label={words.showGhost(name)}
         testId={`kept-ghost-${id}`}
         {...(sameSystem ? {} : { title: words.otherSystem })}
-        onClick={() => kept.change(id, { ghost: !ghost })}
+        onClick={() => pinned.change(id, { ghost: !ghost })}
       >
         {words.ghost}
       </Toggle>
@@ -123,7 +123,7 @@ function Row({ run }: { run: KeptRun }) {
         aria-label={words.remove(name)}
         title={words.remove(name)}
         data-testid={`kept-remove-${id}`}
-        onClick={() => kept.remove(id)}
+        onClick={() => pinned.remove(id)}
       >
         <Icon name="close" />
       </button>
@@ -132,7 +132,7 @@ function Row({ run }: { run: KeptRun }) {
   );
 }
 
-function factsOf({ motion, ending, statistics }: KeptRun): string {
+function factsOf({ motion, ending, statistics }: PinnedRun): string {
   const { trajectory, scenario, source, system } = motion;
   const facts = [
     source === 'file' ? words.file : (scenario?.method.name ?? ''),

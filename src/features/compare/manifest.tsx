@@ -13,6 +13,6 @@ export const compare: Feature = {
     Body: later(async () => (await import('./compareTool.tsx')).CompareTool),
   },
   runStatus: PinRun,
-  commands: [{ key: 'b', run: ({ kept }) => void kept.keep() }],
+  commands: [{ key: 'b', run: ({ pinned }) => void pinned.pin() }],
   keys: words.keys,
 };

@@ -3,11 +3,11 @@ import { useUi } from '../../ui/context.ts';
 import { words } from './words.ts';
 
 export function PinRun() {
-  const { kept } = useUi().app;
-  return kept.ofStage() ? (
+  const { pinned } = useUi().app;
+  return pinned.ofStage() ? (
     <span>{words.pinned}</span>
   ) : (
-    <button type="button" class="link" data-testid="status-keep" onClick={() => kept.keep()}>
+    <button type="button" class="link" data-testid="status-keep" onClick={() => pinned.pin()}>
       {words.keep}
     </button>
   );

@@ -13,7 +13,7 @@ export function RunsPart() {
   return (
     <>
       <KeptList />
-      {app.state.kept.value.length === 0 && (
+      {app.state.pinned.value.length === 0 && (
         <p class="hint" data-testid="compare-empty">
           {words.empty}
         </p>

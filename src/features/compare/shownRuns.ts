@@ -1,7 +1,8 @@
-import type { App, Motion } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { CURVES } from '../../app/runs/curveStyles.ts';
 
-/** One run in the plots and tables: the one on the stage, or a kept one. */
+/** One run in the plots and tables: the one on the stage, or a pinned one. */
 export interface ShownRun {
   /** Permanent as long as it is shown. */
   key: string;
@@ -12,18 +13,18 @@ export interface ShownRun {
   visible: boolean;
 }
 
-/** Kept runs, after the one on the stage unless it is kept itself. */
+/** Kept runs, after the one on the stage unless it is pinned itself. */
 export function shownRuns({ state }: App): ShownRun[] {
   const motion = state.motion.value;
-  const kept = state.kept.value.map((run): ShownRun => ({
-    key: `kept-${run.id}`,
+  const pinned = state.pinned.value.map((run): ShownRun => ({
+    key: `pinned-${run.id}`,
     name: run.name,
     motion: run.motion,
     style: CURVES[run.style % CURVES.length]!,
     visible: run.visible,
   }));
-  if (!motion || kept.some((run) => run.motion.id === motion.id)) return kept;
-  return [{ key: 'stage', name: motion.title, motion, style: null, visible: true }, ...kept];
+  if (!motion || pinned.some((run) => run.motion.id === motion.id)) return pinned;
+  return [{ key: 'stage', name: motion.title, motion, style: null, visible: true }, ...pinned];
 }
 
 /** Columns of any of the runs, in the order they are first met. */

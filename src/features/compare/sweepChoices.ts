@@ -1,4 +1,4 @@
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { systemMetas } from '../../app/store.ts';
 import { otherMethods, reportMethods } from '../../core/cases/methodSets.ts';
 import { columnOf, shownFactor, shownUnit, sumsOf } from '../../core/motion/columns.ts';

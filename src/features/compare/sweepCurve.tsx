@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { SweepPlan } from '../../app/runs/sweep.ts';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { createOverlayPlot } from '../../charts/overlayPlot.ts';
 import { token } from '../../charts/tokens.ts';
 import { words } from './words.ts';

@@ -1,6 +1,6 @@
 /** What a sweep found: a curve or a map of one measure, and a table of all. */
 import { useSignal } from '@preact/signals';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { scenarioAt, valuesAt, type SweepPlan } from '../../app/runs/sweep.ts';
 import { words } from './words.ts';
 import { text } from '../../ui/words.ts';

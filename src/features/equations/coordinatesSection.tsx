@@ -1,5 +1,5 @@
 import type { CoordinateMeta } from '../../core/model/system.ts';
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatValue } from '../../ui/kit/format.ts';

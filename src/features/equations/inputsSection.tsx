@@ -1,4 +1,4 @@
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';

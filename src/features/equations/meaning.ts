@@ -1,5 +1,5 @@
 /** What a symbol of the equations means, in words and with its present value. */
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { SystemView } from '../../core/model/system.ts';
 import type { Typeset } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';

@@ -1,6 +1,6 @@
 /** M, h, B u and the constraint rows at the time on the stage, named by row and column. */
 import type { ComponentChildren } from 'preact';
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { equations } from './words.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { useBook } from './context.ts';

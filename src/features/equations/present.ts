@@ -1,5 +1,5 @@
 /** The matrices of a system at one moment of a motion. */
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { inputsOf } from '../../core/model/inputs.ts';
 import { cholesky, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../../core/linalg/dense.ts';
 import type { StateOfSystem, Terms } from '../../core/mechanics/terms.ts';

@@ -1,6 +1,6 @@
 /** The matrices at the time on the stage, a few times a second; a worker evaluates the equations. */
 import { useEffect, useState } from 'preact/hooks';
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { useUi } from '../../ui/context.ts';
 import { useSlowTime } from '../../ui/slowTime.ts';
 import { useBook } from './context.ts';

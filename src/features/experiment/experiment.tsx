@@ -60,7 +60,7 @@ function RunBar() {
         <button type="button" data-testid="cancel" disabled={!computing} onClick={() => actions.cancel()}>
           {text.panel.cancel}
         </button>
-        <button type="button" data-testid="reset" onClick={() => replaceDraft(ui, () => actions.reset())}>
+        <button type="button" data-testid="reset" onClick={() => replaceDraft(ui, () => actions.resetDraft())}>
           {words.reset}
         </button>
       </div>

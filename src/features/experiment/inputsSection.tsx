@@ -37,7 +37,7 @@ export function InputsSection() {
           testId={`input-${input.name}`}
           value={draft.inputs?.[input.name]}
           base={ui.origin.value?.scenario.inputs?.[input.name]}
-          commit={(value) => edit(ui, (now) => withEntry(now, 'inputs', input.name, value))}
+          commit={(value) => edit(ui, input.label, (now) => withEntry(now, 'inputs', input.name, value))}
         />
       ))}
       <p class="hint">{words.inputsHint}</p>
@@ -65,7 +65,7 @@ export function ControlSection() {
       track,
       lqr: firstLqr(meta, draft.initial, saved?.type === 'lqr' ? saved : undefined),
     }[id];
-    edit(ui, (now) => withKey(now, 'control', chosen));
+    edit(ui, words.controlKind, (now) => withKey(now, 'control', chosen));
     ui.app.actions.retune();
   };
   return (
@@ -90,7 +90,9 @@ function Track({ control }: { control: TrackControl }) {
   const saved = ui.origin.value?.scenario.control;
   const origin = saved?.type === 'track' ? saved : undefined;
   const change = (part: Partial<TrackControl>) =>
-    edit(ui, (now) => (now.control?.type === 'track' ? withKey(now, 'control', { ...now.control, ...part }) : now));
+    edit(ui, words.control, (now) =>
+      now.control?.type === 'track' ? withKey(now, 'control', { ...now.control, ...part }) : now,
+    );
   const refer = (name: string, value: NumberOrExpression | undefined) => {
     const { [name]: _, ...rest } = control.reference;
     change({ reference: value === undefined ? rest : { ...rest, [name]: value } });

@@ -25,7 +25,7 @@ export function LqrPanel({ control }: { control: LqrControl }) {
   const history = useSignal<readonly LqrControl[]>([]);
   const lastChange = useSignal(0);
   const set = (next: LqrControl) => {
-    edit(ui, (now) => withKey(now, 'control', next));
+    edit(ui, words.control, (now) => withKey(now, 'control', next));
     ui.app.actions.retune();
   };
   const change = (part: Partial<LqrControl>) => {

@@ -1,7 +1,7 @@
 /** What the weights amount to: eigenvalues in the complex plane, time constants, what no input reaches. */
 import { effect, useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import type { Answer } from '../../app/types.ts';
+import type { Answer } from '../../app/app.ts';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';

@@ -34,7 +34,7 @@ export function MethodSection() {
   const residual = name === RESIDUAL_METHOD;
   const adaptive = ui.methods.find((m) => m.id === name)?.adaptive !== false;
   const set = <K extends keyof MethodOptions>(key: K, value: MethodOptions[K] | undefined) =>
-    edit(ui, (draft) =>
+    edit(ui, words.method, (draft) =>
       withMethod(draft, key, value === (methodDefaults as Partial<MethodOptions>)[key] ? undefined : value),
     );
   const spec = (key: 'rtol' | 'atol' | 'step' | 'maxStep', standard?: number): NumberSpec => ({
@@ -60,7 +60,7 @@ export function MethodSection() {
         options={ui.methods}
         error={errors.get('method.name')}
         testId="method-name"
-        onChange={(id) => edit(ui, (draft) => named(draft, id))}
+        onChange={(id) => edit(ui, words.method, (draft) => named(draft, id))}
       />
       <Choice
         label={words.formulation}
@@ -103,7 +103,8 @@ export function TimeSection() {
     base: origin?.[key] ?? DEFAULTS[key],
     rest: DEFAULTS[key],
     step: key === 'duration' ? 1 : 0.001,
-    commit: (value) => edit(ui, (now) => withKey(now, key, value === DEFAULTS[key] ? undefined : (value as number))),
+    commit: (value) =>
+      edit(ui, words[key], (now) => withKey(now, key, value === DEFAULTS[key] ? undefined : (value as number))),
   });
   const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
   return (
@@ -120,7 +121,9 @@ export function TimeSection() {
             { id: 'ignore', label: words.ignore },
           ]}
           error={ui.app.state.draftErrors.value.get('events.touchdown')}
-          onChange={(id) => edit(ui, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))}
+          onChange={(id) =>
+            edit(ui, words.touchdown, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))
+          }
         />
       )}
     </Section>

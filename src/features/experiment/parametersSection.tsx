@@ -23,7 +23,9 @@ export function ParametersSection() {
           options={sets.map((id) => ({ id, label: id }))}
           testId="parameter-set"
           error={ui.app.state.draftErrors.value.get('parameterSet')}
-          onChange={(id) => edit(ui, (now) => withParameterSet(now, meta, id === sets[0] ? undefined : id))}
+          onChange={(id) =>
+            edit(ui, words.parameterSet, (now) => withParameterSet(now, meta, id === sets[0] ? undefined : id))
+          }
         />
       )}
       {groups.map((group) => (
@@ -60,7 +62,7 @@ function ParameterField({ meta, parameter: p }: { meta: SystemMeta; parameter: P
     base,
     rest: standard,
     commit: (value) =>
-      edit(ui, (now) =>
+      edit(ui, p.label, (now) =>
         withEntry(now, 'parameters', p.name, numberOf(value, standard) === standard ? undefined : value),
       ),
   };

@@ -1,6 +1,6 @@
 /** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
 import { useId } from 'preact/hooks';
-import type { Adjustment } from '../../app/types.ts';
+import type { Adjustment } from '../../app/runs/motion.ts';
 import type { CoordinateMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
@@ -60,7 +60,7 @@ function SpeedField({ speed: { name, label } }: { speed: NonNullable<SystemMeta[
         step: 0.1,
         value: ui.app.state.draft.value.initial?.[name],
         base: ui.origin.value?.scenario.initial?.[name],
-        commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+        commit: (value) => edit(ui, label, (draft) => withEntry(draft, 'initial', name, value)),
       }}
       symbol="v"
     />
@@ -115,7 +115,7 @@ function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
     base: ui.origin.value?.scenario.initial?.[name],
     rest: order === 0 ? (coordinate.rest ?? 0) : 0,
     step: coordinate.kind === 'angle' ? 1 : order === 0 ? 0.01 : 0.1,
-    commit: (value) => edit(ui, (draft) => withEntry(draft, 'initial', name, value)),
+    commit: (value) => edit(ui, coordinate.label, (draft) => withEntry(draft, 'initial', name, value)),
   };
 }
 

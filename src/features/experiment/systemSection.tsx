@@ -31,7 +31,7 @@ export function SystemSection() {
   const held = draft.hold ?? [];
   const hold = (name: string) => {
     const order = system.meta.coordinates.map((c) => c.name).filter((n) => (n === name) !== held.includes(n));
-    edit(ui, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
+    edit(ui, words.hold, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
   };
   return (
     <Section title={words.system} open>
@@ -43,7 +43,9 @@ export function SystemSection() {
           options={sets.map(({ id, label }) => ({ id, label: label.split(': ')[0]! }))}
           error={errors.get('constraints')}
           testId="constraints"
-          onChange={(id) => edit(ui, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))}
+          onChange={(id) =>
+            edit(ui, words.constraints, (now) => withKey(now, 'constraints', id === sets[0]!.id ? undefined : id))
+          }
         />
       )}
       {sets.length > 1 && chosen?.label.includes(': ') && (

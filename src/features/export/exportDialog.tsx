@@ -4,8 +4,8 @@ import { useUi } from '../../ui/context.ts';
 import { Choice, Toggle } from '../../ui/kit/controls.tsx';
 import { Dialog } from '../../ui/kit/dialog.tsx';
 import { later } from '../../ui/kit/later.tsx';
-import type { Studio } from '../../app/files/exportRenderer.ts';
-import type { Motion } from '../../app/types.ts';
+import type { ExportRenderer } from '../../app/files/exportRenderer.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { MOST_KEYS, sizeInWords } from '../../app/files/exportPlan.ts';
 import { words as text } from './words.ts';
 import { RangeFields } from './fields.tsx';
@@ -16,20 +16,14 @@ import { PicturePage, SaveButton } from './picturePage.tsx';
 const VideoPage = later(async () => (await import('./videoPage.tsx')).VideoPage);
 
 export function ExportDialog() {
-  const { state } = useUi().app;
+  const { state, actions, exportService } = useUi().app;
   const tab = choices.tab.value;
   void state.rowsVersion.value;
   const motion = state.motion.value;
-  const studio = state.studio.value;
-  const trouble = !motion || motion.trajectory.length === 0 ? text.noMotion : !studio ? text.noScene : null;
+  const renderer = exportService.available.value ? exportService.renderer() : null;
+  const trouble = !motion || motion.trajectory.length === 0 ? text.noMotion : !renderer ? text.noScene : null;
   return (
-    <Dialog
-      title={text.title}
-      testId="export-dialog"
-      onClose={() => {
-        state.exporting.value = false;
-      }}
-    >
+    <Dialog title={text.title} testId="export-dialog" onClose={actions.closeDialog}>
       <div class="export">
         <div class="segments" role="group" aria-label={text.kinds}>
           {(Object.keys(text.tabs) as Tab[]).map((id) => (
@@ -52,7 +46,7 @@ export function ExportDialog() {
             {trouble}
           </p>
         ) : (
-          <ScenePage tab={tab} motion={motion!} studio={studio!} />
+          <ScenePage tab={tab} motion={motion!} renderer={renderer!} />
         )}
         <Progress />
       </div>
@@ -60,12 +54,16 @@ export function ExportDialog() {
   );
 }
 
-function ScenePage({ tab, motion, studio }: { tab: Tab; motion: Motion; studio: Studio }) {
-  if (tab === 'picture') return <PicturePage motion={motion} studio={studio} />;
-  return tab === 'video' ? <VideoPage motion={motion} studio={studio} /> : <GlbPage motion={motion} studio={studio} />;
+function ScenePage({ tab, motion, renderer }: { tab: Tab; motion: Motion; renderer: ExportRenderer }) {
+  if (tab === 'picture') return <PicturePage motion={motion} renderer={renderer} />;
+  return tab === 'video' ? (
+    <VideoPage motion={motion} renderer={renderer} />
+  ) : (
+    <GlbPage motion={motion} renderer={renderer} />
+  );
 }
 
-function GlbPage({ motion, studio }: { motion: Motion; studio: Studio }) {
+function GlbPage({ motion, renderer }: { motion: Motion; renderer: ExportRenderer }) {
   const { app } = useUi();
   const { from, to } = rangeOf(motion);
   const rate = choices.rate.value;
@@ -85,7 +83,7 @@ function GlbPage({ motion, studio }: { motion: Motion; studio: Studio }) {
     <form
       onSubmit={(event) => {
         event.preventDefault();
-        if (!reason) void saveGlb(app, studio, motion);
+        if (!reason) void saveGlb(app, renderer, motion);
       }}
     >
       <p class="hint">{text.glbAbout}</p>

@@ -5,5 +5,5 @@ const Loaded = later(async () => (await import('./exportDialog.tsx')).ExportDial
 
 /** The export dialog, loaded when it is first opened. */
 export function ExportDoor() {
-  return useUi().app.state.exporting.value ? <Loaded /> : null;
+  return useUi().app.state.dialog.value === 'export' ? <Loaded /> : null;
 }

@@ -24,9 +24,7 @@ export function ExportMenu() {
           id: 'more',
           title: words.menu.more,
           testId: 'export-more',
-          choose: () => {
-            state.exporting.value = true;
-          },
+          choose: () => actions.openDialog('export'),
         },
       ]}
     >

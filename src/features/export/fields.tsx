@@ -2,7 +2,7 @@
 import { useId, useState } from 'preact/hooks';
 import { LARGEST, sideOf, SMALLEST } from '../../app/files/exportPlan.ts';
 import type { ShotPlan } from '../../app/files/exportRenderer.ts';
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { words as text } from './words.ts';
 import { Choice } from '../../ui/kit/controls.tsx';
 import { choices, rangeOf } from './jobs.ts';

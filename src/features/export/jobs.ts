@@ -2,8 +2,9 @@
 import { signal } from '@preact/signals';
 import { download } from '../../app/files/download.ts';
 import { bitrateFor, fileName, frameCount, frameTime, keyCount, type VideoRange } from '../../app/files/exportPlan.ts';
-import type { ShotPlan, Studio } from '../../app/files/exportRenderer.ts';
-import type { App, Motion } from '../../app/types.ts';
+import type { ShotPlan, ExportRenderer } from '../../app/files/exportRenderer.ts';
+import type { App } from '../../app/app.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { Encoding } from './encoding.ts';
 import { words as text } from './words.ts';
 import { text as page } from '../../ui/words.ts';
@@ -93,11 +94,11 @@ const titleOf = ({ title }: Motion, view: ShotPlan['view']): string =>
 
 const progress = (done: number): void => void (job.value = { ...job.peek()!, done });
 
-export function savePicture(app: App, studio: Studio, motion: Motion): Promise<void> {
+export function savePicture(app: App, renderer: ExportRenderer, motion: Motion): Promise<void> {
   const { width, height, transparent, labels, fine, view } = choices.picture.peek();
   const time = app.state.time.peek();
   return work(app, 1, 'frames', async (signal) => {
-    const shot = await studio.open(
+    const shot = await renderer.open(
       {
         width,
         height,
@@ -122,12 +123,12 @@ export function savePicture(app: App, studio: Studio, motion: Motion): Promise<v
   });
 }
 
-export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: Encoding): Promise<void> {
+export function saveVideo(app: App, renderer: ExportRenderer, motion: Motion, encoding: Encoding): Promise<void> {
   const { width, height, fps, speed, labels, fine, view, follow, caption } = choices.video.peek();
   const range: VideoRange = { ...rangeOf(motion), fps, speed };
   const frames = frameCount(range);
   return work(app, frames, 'frames', async (signal) => {
-    const shot = await studio.open(
+    const shot = await renderer.open(
       {
         width,
         height,
@@ -164,11 +165,11 @@ export function saveVideo(app: App, studio: Studio, motion: Motion, encoding: En
   });
 }
 
-export function saveGlb(app: App, studio: Studio, motion: Motion): Promise<void> {
+export function saveGlb(app: App, renderer: ExportRenderer, motion: Motion): Promise<void> {
   const plan = { ...rangeOf(motion), rate: choices.rate.peek(), generator: page.name };
   return work(app, keysOf(motion), 'keys', async (signal) => ({
     name: fileName(motion.title, 'glb'),
-    part: await studio.glb(plan, { signal, onKey: progress }),
+    part: await renderer.glb(plan, { signal, onKey: progress }),
     type: 'model/gltf-binary',
   }));
 }

@@ -1,6 +1,6 @@
 import { sizeInWords } from '../../app/files/exportPlan.ts';
-import type { Studio } from '../../app/files/exportRenderer.ts';
-import type { Motion } from '../../app/types.ts';
+import type { ExportRenderer } from '../../app/files/exportRenderer.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { words as text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
@@ -27,7 +27,7 @@ export function SaveButton({ testId, reason }: { testId: string; reason: string 
 /** A PNG typically takes this many bytes a pixel of such a scene. */
 const PNG_BYTES = 0.35;
 
-export function PicturePage({ motion, studio }: { motion: Motion; studio: Studio }) {
+export function PicturePage({ motion, renderer }: { motion: Motion; renderer: ExportRenderer }) {
   const { app } = useUi();
   const now = choices.picture.value;
   const set = (change: Partial<typeof now>): void =>
@@ -36,7 +36,7 @@ export function PicturePage({ motion, studio }: { motion: Motion; studio: Studio
     <form
       onSubmit={(event) => {
         event.preventDefault();
-        void savePicture(app, studio, motion);
+        void savePicture(app, renderer, motion);
       }}
     >
       <SizeFields prefix="png" width={now.width} height={now.height} onChange={set} />

@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { bitrateFor, frameCount, MOST_FRAMES, sizeInWords, videoDuration } from '../../app/files/exportPlan.ts';
-import type { Studio } from '../../app/files/exportRenderer.ts';
-import type { Motion } from '../../app/types.ts';
+import type { ExportRenderer } from '../../app/files/exportRenderer.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { Encoding } from './encoding.ts';
 import { chooseEncoding } from './video.ts';
 import { words as text } from './words.ts';
@@ -38,7 +38,7 @@ function useEncoding(width: number, height: number, bitrate: number): Encoding |
   return encoding;
 }
 
-export function VideoPage({ motion, studio }: { motion: Motion; studio: Studio }) {
+export function VideoPage({ motion, renderer }: { motion: Motion; renderer: ExportRenderer }) {
   const { app } = useUi();
   const now = choices.video.value;
   const { from, to } = rangeOf(motion);
@@ -66,7 +66,7 @@ export function VideoPage({ motion, studio }: { motion: Motion; studio: Studio }
           : text.recorded;
   const save = (event: Event): void => {
     event.preventDefault();
-    if (!reason && encoding) void saveVideo(app, studio, motion, encoding);
+    if (!reason && encoding) void saveVideo(app, renderer, motion, encoding);
   };
   return (
     <form onSubmit={save}>

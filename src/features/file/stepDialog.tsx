@@ -1,6 +1,6 @@
 /** Asks for the time step of a file that has neither header nor time column. */
 import { useRef, useState } from 'preact/hooks';
-import type { PendingFile } from '../../app/types.ts';
+import type { PendingFile } from '../../app/files/fileState.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { Dialog } from '../../ui/kit/dialog.tsx';

@@ -1,7 +1,7 @@
 /** The built-in cases as cards: picture, what to look at, where it comes from. One click runs one. */
 import { useComputed, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import type { CaseInfo } from '../../app/types.ts';
+import type { CaseInfo } from '../../app/state/cases.ts';
 import { text } from './words.ts';
 import { replaceDraft, useUi } from '../../ui/context.ts';
 import { matches, sectionsOf } from './gallerySections.ts';

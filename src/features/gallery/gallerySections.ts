@@ -1,5 +1,5 @@
 /** Which cases the gallery shows for a search, and under which heading each stands. */
-import type { CaseInfo } from '../../app/types.ts';
+import type { CaseInfo } from '../../app/state/cases.ts';
 
 /** Headings in their order: the board's own cases, the report's chapters, then what comes from papers. */
 export const sectionIds = ['board', '3.2', '3.3', '3.4', '3.5', 'papers'] as const;

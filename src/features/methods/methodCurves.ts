@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import type { Comparison, Outcome } from '../../app/runs/comparison.ts';
 import { download } from '../../app/files/download.ts';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { token } from '../../charts/tokens.ts';
 import type { LinePlot } from '../../charts/linePlot.ts';
 

@@ -28,8 +28,7 @@ export interface MethodsProps {
 export function Methods(props: MethodsProps) {
   const chosen = useSignal(methodSets[0]!);
   const choose = (id: string) => {
-    props.comparison.stop();
-    props.comparison.outcomes.value = [];
+    props.comparison.clear();
     chosen.value = methodSets.find((s) => s.id === id) ?? chosen.value;
   };
   return (

@@ -1,5 +1,5 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { CoordinateMeta } from '../../core/model/system.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { useUi } from '../../ui/context.ts';

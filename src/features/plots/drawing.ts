@@ -1,5 +1,5 @@
 /** From columns to curves: ranges, units, points. */
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { PaneCurve } from '../../charts/panePlot.ts';
 import { compileExpression } from '../../core/scenario/expressions.ts';
 import { shownFactor, type Column } from '../../core/motion/columns.ts';

@@ -1,7 +1,9 @@
 /** One plot: its curves, what they are at the present time, and how to change it. */
 import { effect, useSignal, type Signal } from '@preact/signals';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
-import type { App, Motion, PlotPane } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
+import type { Motion } from '../../app/runs/motion.ts';
+import type { PlotPane } from '../../app/state/plotPanes.ts';
 import { createPanePlot, type PanePicture } from '../../charts/panePlot.ts';
 import { text } from './words.ts';
 import { useUi } from '../../ui/context.ts';

@@ -1,5 +1,6 @@
 /** Which plots stand there: the person's own, those of the case, or what suits the motion. */
-import type { Motion, PlotPane, PlotsState } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
+import type { PlotPane, PlotsState } from '../../app/state/plotPanes.ts';
 import { columnsOf } from '../../core/motion/columns.ts';
 import { cases } from '../../core/systems/registry.ts';
 import { text } from './words.ts';

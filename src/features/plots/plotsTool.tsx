@@ -1,7 +1,8 @@
 /** Curves of the motion on the stage: any column over time or over another, one time for scene and plots. */
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useMemo } from 'preact/hooks';
-import type { Motion, PlotPane } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
+import type { PlotPane } from '../../app/state/plotPanes.ts';
 import { text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
@@ -20,7 +21,7 @@ export function PlotsTool() {
 }
 
 function Plots({ motion }: { motion: Motion }) {
-  const { state } = useUi().app;
+  const { state, actions } = useUi().app;
   const caseId = state.origin.value.id;
   const plots = state.plots.value;
   const panes = panesOf(motion, caseId, plots);
@@ -32,7 +33,7 @@ function Plots({ motion }: { motion: Motion }) {
   const choices = useLagging(columns);
   const own = plots.own?.key === keyOf(motion, caseId);
   const change = (next: readonly PlotPane[]) => {
-    state.plots.value = { ...plots, own: { key: keyOf(motion, caseId), panes: next } };
+    actions.set('plots', { ...plots, own: { key: keyOf(motion, caseId), panes: next } });
   };
   const edit = (i: number, pane: PlotPane | null) =>
     change(pane ? panes.map((p, k) => (k === i ? pane : p)) : panes.filter((_, k) => k !== i));
@@ -47,9 +48,7 @@ function Plots({ motion }: { motion: Motion }) {
           type="button"
           data-testid="plots-case"
           disabled={!own}
-          onClick={() => {
-            state.plots.value = { ...plots, own: null };
-          }}
+          onClick={() => actions.set('plots', { ...plots, own: null })}
         >
           {text.ofCase}
         </button>
@@ -68,17 +67,13 @@ function Plots({ motion }: { motion: Motion }) {
           label={text.degrees}
           testId="plots-degrees"
           checked={plots.degrees}
-          onChange={(degrees) => {
-            state.plots.value = { ...state.plots.peek(), degrees };
-          }}
+          onChange={(degrees) => actions.set('plots', { ...state.plots.peek(), degrees })}
         />
         <Check
           label={text.wrapped}
           testId="plots-wrapped"
           checked={plots.wrapped}
-          onChange={(wrapped) => {
-            state.plots.value = { ...state.plots.peek(), wrapped };
-          }}
+          onChange={(wrapped) => actions.set('plots', { ...state.plots.peek(), wrapped })}
         />
       </div>
       {panes.map((pane, i) => (

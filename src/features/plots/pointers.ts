@@ -1,5 +1,5 @@
 /** Hands and keys on a plot: a click goes to a time, dragging zooms, the wheel zooms about the pointer, Shift drags along. */
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import type { PanePlot } from '../../charts/panePlot.ts';
 import { limits } from './drawing.ts';
 import type { PaneProps } from './paneView.tsx';

@@ -1,6 +1,6 @@
 /** A plot as a picture or as numbers. */
 import { download } from '../../app/files/download.ts';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import { plotSheet } from '../../charts/svgPlot.ts';
 import { token } from '../../charts/tokens.ts';
 import { writeCsv } from '../../csv/csv.ts';

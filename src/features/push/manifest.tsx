@@ -10,8 +10,8 @@ export const push: Feature = {
   commands: [
     {
       key: 'g',
-      run({ state }) {
-        if (canPush(state.motion.peek())) state.look.push.value = !state.look.push.peek();
+      run({ state, actions }) {
+        if (canPush(state.motion.peek())) actions.toggle('dragPushes');
       },
     },
   ],

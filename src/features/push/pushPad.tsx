@@ -1,6 +1,6 @@
-/** The hand without a pointer: buttons and keys that push at a body in steps. */
+/** The push without a pointer: buttons and keys that push at a body in steps. */
 import { useEffect, useId, useMemo, useRef, useState } from 'preact/hooks';
-import { createKeyHand, type Force, type Hold } from '../../app/push/keyboardPush.ts';
+import { createKeyboardPusher, type Force, type KeyboardPush } from '../../app/push/keyboardPush.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import './pushPad.css';
 import { words as text } from './words.ts';
@@ -19,12 +19,12 @@ const WAYS: Readonly<Record<Way, { force: Force; key: string; icon: IconName }>>
   down: { force: [0, 0, -1], key: 'PageDown', icon: 'lower' },
 };
 
-/** What a person would take hold of first: the front plate, else the first body. */
+/** What a person would push first: the front plate, else the first body. */
 const firstOf = ({ bodies }: SystemMeta): string => (bodies.find(({ part }) => part === 'front') ?? bodies[0]!).id;
 
 export function PushPad() {
-  const { state } = useUi().app;
-  const hand = useMemo(() => createKeyHand(state), []);
+  const { state, actions } = useUi().app;
+  const pusher = useMemo(() => createKeyboardPusher(state, actions), []);
   const meta = state.motion.value!.system.meta;
   const [chosen, choose] = useState(() => firstOf(meta));
   const body = meta.bodies.some(({ id }) => id === chosen) ? chosen : firstOf(meta);
@@ -35,7 +35,7 @@ export function PushPad() {
     if (document.activeElement !== toggle()) root.current!.querySelector('button')!.focus();
     return () => {
       if (root.current?.contains(document.activeElement)) toggle()?.focus();
-      hand.dispose();
+      pusher.dispose();
     };
   }, []);
   const onKeyDown = (event: KeyboardEvent) => {
@@ -44,12 +44,12 @@ export function PushPad() {
       event.target instanceof HTMLSelectElement
         ? undefined
         : (Object.keys(WAYS) as Way[]).find((one) => WAYS[one].key === event.key);
-    if (way) hand.press(body, WAYS[way].force);
+    if (way) pusher.press(body, WAYS[way].force);
     else if (event.key !== 'Escape') return;
-    else if (hand.hold.peek()) hand.letGo();
+    else if (pusher.current.peek()) pusher.release();
     else {
       toggle()?.focus();
-      state.look.push.value = false;
+      actions.set('dragPushes', false);
     }
     event.preventDefault();
     event.stopPropagation();
@@ -74,7 +74,7 @@ export function PushPad() {
               aria-label={text.ways[way]}
               title={text.ways[way]}
               data-testid={`push-${way}`}
-              onClick={() => hand.press(body, WAYS[way].force)}
+              onClick={() => pusher.press(body, WAYS[way].force)}
             >
               <Icon name={WAYS[way].icon} />
             </button>
@@ -85,7 +85,7 @@ export function PushPad() {
             aria-label={text.letGo}
             title={text.letGo}
             data-testid="push-none"
-            onClick={hand.letGo}
+            onClick={pusher.release}
           >
             <Icon name="close" />
           </button>
@@ -96,7 +96,7 @@ export function PushPad() {
             value={body}
             data-testid="push-body"
             onChange={(event) => {
-              hand.letGo();
+              pusher.release();
               choose(event.currentTarget.value);
             }}
           >
@@ -108,7 +108,7 @@ export function PushPad() {
           </select>
         </label>
         <p class="push-force" role="status" data-testid="push-force">
-          {inWords(hand.hold.value, meta)}
+          {inWords(pusher.current.value, meta)}
         </p>
         <p class="push-hint" id={id}>
           {text.hint}
@@ -118,10 +118,10 @@ export function PushPad() {
   );
 }
 
-function inWords(hold: Hold | null, { bodies }: SystemMeta): string {
-  if (!hold) return text.nothing;
-  const forces = hold.force.flatMap((newtons, i) =>
+function inWords(push: KeyboardPush | null, { bodies }: SystemMeta): string {
+  if (!push) return text.nothing;
+  const forces = push.force.flatMap((newtons, i) =>
     newtons === 0 ? [] : [text.newtons(formatShort(Math.abs(newtons), 4), text.towards[i]![newtons > 0 ? 0 : 1])],
   );
-  return text.pulls(bodies.find(({ id }) => id === hold.body)?.label ?? hold.body, forces.join(', ') || text.balanced);
+  return text.pulls(bodies.find(({ id }) => id === push.body)?.label ?? push.body, forces.join(', ') || text.balanced);
 }

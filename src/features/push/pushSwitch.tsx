@@ -9,20 +9,18 @@ const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
 
 export function PushSlot() {
   const { state } = useUi().app;
-  return state.look.push.value && canPush(state.motion.value) ? <PushPad /> : null;
+  return state.dragPushes.value && canPush(state.motion.value) ? <PushPad /> : null;
 }
 
 export function PushSwitch() {
-  const { state } = useUi().app;
+  const { state, actions } = useUi().app;
   if (!canPush(state.motion.value)) return null;
   return (
     <Toggle
-      pressed={state.look.push.value}
+      pressed={state.dragPushes.value}
       title={`${words.pushTitle} (G)`}
       testId="toggle-push"
-      onClick={() => {
-        state.look.push.value = !state.look.push.value;
-      }}
+      onClick={() => actions.toggle('dragPushes')}
     >
       {words.push}
     </Toggle>

@@ -2,7 +2,7 @@
 import { signal, useComputed, useSignal } from '@preact/signals';
 import type { ComponentType, ComponentProps } from 'preact';
 import { useEffect } from 'preact/hooks';
-import { browserShelf } from '../../app/persistence/browserStorage.ts';
+import { browserStorage } from '../../app/persistence/browserStorage.ts';
 import { useUi } from '../../ui/context.ts';
 import type { WelcomeView } from './offer.tsx';
 import { text } from './words.ts';
@@ -15,8 +15,8 @@ const touring = signal(false);
 const firstVisit = (): boolean =>
   location.hash === '' &&
   location.search === '' &&
-  browserShelf.text(SEEN) === null &&
-  browserShelf.text('work') === null;
+  browserStorage.text(SEEN) === null &&
+  browserStorage.text('work') === null;
 
 export function Welcome() {
   const { state } = useUi().app;
@@ -33,7 +33,7 @@ export function Welcome() {
       );
   }, [wanted]);
   const end = () => {
-    browserShelf.putText(SEEN, 'seen');
+    browserStorage.putText(SEEN, 'seen');
     offered.value = false;
     touring.value = false;
   };

@@ -1,15 +1,14 @@
 /** The page's keys. Fields, menus and dialogs keep theirs. */
 import { useEffect } from 'preact/hooks';
-import type { Signal } from '@preact/signals';
 import { speeds } from '../../app/state/playbackClock.ts';
-import type { App } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
 import type { Ui } from '../context.ts';
-import { viewsOf } from '../stage/stageOverlay.tsx';
+import { viewsOf } from '../../app/runs/views.ts';
 import { timelineOf } from '../stage/timeline.ts';
 
 const JUMP = 0.1;
 
-export function useKeyboard(ui: Ui, keysOpen: Signal<boolean>): void {
+export function useKeyboard(ui: Ui): void {
   useEffect(() => {
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
@@ -28,7 +27,7 @@ export function useKeyboard(ui: Ui, keysOpen: Signal<boolean>): void {
         (event.key === ' ' && pressing(event.target))
       )
         return;
-      if (act(ui, event.key, event.shiftKey, keysOpen)) event.preventDefault();
+      if (act(ui, event.key, event.shiftKey)) event.preventDefault();
     };
     window.addEventListener('keydown', onKeyDown);
     return () => window.removeEventListener('keydown', onKeyDown);
@@ -63,13 +62,13 @@ function pressing(target: EventTarget | null): boolean {
 }
 
 /** Returns whether the key meant something. */
-export function act({ app, features }: Ui, key: string, shift: boolean, keysOpen: Signal<boolean>): boolean {
+export function act({ app, features }: Ui, key: string, shift: boolean): boolean {
   const { state, actions } = app;
   const line = timelineOf(state.motion.peek(), state.run.peek());
   const seek = (time: number) => actions.seek(Math.min(line.available, Math.max(line.start, time)));
   const along = (sign: 1 | -1) => (shift ? seek(state.time.peek() + sign * JUMP) : actions.stepRows(sign));
   const does: Record<string, () => void> = {
-    ' ': actions.toggle,
+    ' ': actions.togglePlaying,
     ArrowLeft: () => along(-1),
     ArrowRight: () => along(1),
     ',': () => actions.stepRows(-1),
@@ -80,19 +79,19 @@ export function act({ app, features }: Ui, key: string, shift: boolean, keysOpen
     k: actions.pause,
     l: () => slowerOrFaster(app, 1),
     f: () => {
-      state.follow.value = !state.follow.peek();
+      actions.toggle('follow');
     },
     p: () => {
-      state.look.inset.value = !state.look.inset.peek();
+      actions.toggle('showInset');
     },
     n: () => {
-      state.look.names.value = !state.look.names.peek();
+      actions.toggle('showNames');
     },
     a: () => {
-      state.look.frames.value = !state.look.frames.peek();
+      actions.toggle('showFrames');
     },
     '?': () => {
-      keysOpen.value = true;
+      actions.openDialog('keys');
     },
   };
   const view = viewsOf((state.motion.peek()?.system ?? app.systemOf(state.draft.peek().system))?.meta.views).get(key);
@@ -103,7 +102,7 @@ export function act({ app, features }: Ui, key: string, shift: boolean, keysOpen
     (command && (() => command.run(app))) ??
     (view &&
       (() => {
-        state.view.value = view;
+        actions.set('view', view);
       }));
   run?.();
   return run !== undefined;
@@ -114,10 +113,10 @@ function slowerOrFaster({ state, actions }: App, way: 1 | -1): void {
   if (state.playing.peek()) {
     const now = state.speed.peek();
     const next = way > 0 ? speeds.find((s) => s > now) : [...speeds].reverse().find((s) => s < now);
-    if (next !== undefined) state.speed.value = next;
+    if (next !== undefined) actions.set('speed', next);
   } else if (way < 0) {
     const slower = [...speeds].reverse().find((s) => s < state.speed.peek());
-    if (slower !== undefined) state.speed.value = slower;
+    if (slower !== undefined) actions.set('speed', slower);
     actions.play();
   } else {
     actions.play();

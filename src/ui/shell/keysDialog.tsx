@@ -1,16 +1,13 @@
 /** The sheet of keys, with what a feature offers beside them. */
-import type { Signal } from '@preact/signals';
 import { text as storedText } from '../../app/words.ts';
 import { useUi } from '../context.ts';
 import { Dialog } from '../kit/dialog.tsx';
 import { text } from '../words.ts';
 
-export function KeysDialog({ open, onForget }: { open: Signal<boolean>; onForget?: (() => void) | undefined }) {
-  const { features } = useUi();
-  const close = () => {
-    open.value = false;
-  };
-  if (!open.value) return null;
+export function KeysDialog({ onForget }: { onForget?: (() => void) | undefined }) {
+  const { app, features } = useUi();
+  const close = app.actions.closeDialog;
+  if (app.state.dialog.value !== 'keys') return null;
   return (
     <Dialog title={text.top.keys} testId="keys-dialog" onClose={close}>
       <dl class="keys">

@@ -1,4 +1,4 @@
-import type { Message } from '../../app/types.ts';
+import type { Message } from '../../app/state/messages.ts';
 import { useEffect } from 'preact/hooks';
 import { useUi } from '../context.ts';
 import { Icon } from '../kit/controls.tsx';

@@ -54,14 +54,14 @@ function useVisited(tools: Ui['tools'], open: string | null): Ui['tools'] {
 
 export function Tools() {
   const {
-    app: { state },
+    app: { state, actions },
     tools,
   } = useUi();
   const open = state.tool.value;
   const current = tools.find(({ id }) => id === open);
   const fold = () => {
     document.querySelector<HTMLElement>(`[data-testid="tool-${open}"]`)?.focus();
-    state.tool.value = null;
+    actions.set('tool', null);
   };
   return (
     <div class="right">
@@ -102,9 +102,7 @@ export function Tools() {
             aria-expanded={current?.id === id}
             aria-controls={`tool-panel-${id}`}
             data-testid={`tool-${id}`}
-            onClick={() => {
-              state.tool.value = open === id ? null : id;
-            }}
+            onClick={() => actions.set('tool', open === id ? null : id)}
           >
             <Icon name={icon} />
             <span>{title}</span>
@@ -117,7 +115,7 @@ export function Tools() {
 
 export function Sheet() {
   const { app, features, tools } = useUi();
-  const { state } = app;
+  const { state, actions } = app;
   const panel = usePanel();
   const current = useSignal(panel?.id ?? tools[0]?.id ?? '');
   const visited = useVisited(tools, current.value);
@@ -135,7 +133,7 @@ export function Sheet() {
   ];
   const show = (id: string) => {
     current.value = id;
-    state.tool.value = tools.some((tool) => tool.id === id) ? id : null;
+    actions.set('tool', tools.some((tool) => tool.id === id) ? id : null);
   };
   const onKeyDown = (event: KeyboardEvent) => {
     const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;

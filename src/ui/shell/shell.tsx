@@ -1,8 +1,9 @@
 /** The page around the scene. It owns no state of the laboratory: everything comes from `app`. */
-import { useSignal, useSignalEffect } from '@preact/signals';
+import { useSignalEffect } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import type { App, CaseInfo } from '../../app/types.ts';
+import type { App } from '../../app/app.ts';
+import type { CaseInfo } from '../../app/state/cases.ts';
 import { Announcer } from './announcer.tsx';
 import { createUi, UiContext } from '../context.ts';
 import type { FormulationChoice, MethodChoice } from '../context.ts';
@@ -52,15 +53,14 @@ export function Shell({
   onForget,
 }: ShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, features, origin), [app]);
-  const keysOpen = useSignal(false);
   const phone = useMedia(PHONE);
   useTheme(app);
-  useKeyboard(ui, keysOpen);
+  useKeyboard(ui);
   return (
     <UiContext.Provider value={ui}>
       <SkipLinks />
       <div class="shell">
-        <TopBar keysOpen={keysOpen} />
+        <TopBar />
         {phone ? null : <LeftPanel />}
         <main key="stage" id="stage" class="stage" tabIndex={-1} aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
@@ -74,7 +74,7 @@ export function Shell({
       </div>
       <Messages />
       <Slot name="dialog" />
-      <KeysDialog open={keysOpen} onForget={onForget} />
+      <KeysDialog onForget={onForget} />
       <Announcer />
     </UiContext.Provider>
   );

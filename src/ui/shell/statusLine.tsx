@@ -1,5 +1,5 @@
 /** One line that is always there: how the numbers were made and whether to trust them. */
-import type { Motion } from '../../app/types.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';

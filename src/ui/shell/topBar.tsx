@@ -1,11 +1,10 @@
-import type { Signal } from '@preact/signals';
 import { useUi } from '../context.ts';
 import { Icon } from '../kit/controls.tsx';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
-export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
-  const { state } = useUi().app;
+export function TopBar() {
+  const { state, actions } = useUi().app;
   const theme = state.theme.value;
   return (
     <header class="top">
@@ -19,9 +18,7 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
         data-testid="theme"
         aria-label={text.top.theme(theme)}
         title={text.top.theme(theme)}
-        onClick={() => {
-          state.theme.value = theme === 'dark' ? 'light' : 'dark';
-        }}
+        onClick={() => actions.set('theme', theme === 'dark' ? 'light' : 'dark')}
       >
         <Icon name={theme === 'dark' ? 'light' : 'dark'} />
       </button>
@@ -31,9 +28,7 @@ export function TopBar({ keysOpen }: { keysOpen: Signal<boolean> }) {
         data-testid="keys"
         aria-label={text.top.keys}
         title={`${text.top.keys} (?)`}
-        onClick={() => {
-          keysOpen.value = true;
-        }}
+        onClick={() => actions.openDialog('keys')}
       >
         ?
       </button>

@@ -7,19 +7,19 @@ import { text } from '../words.ts';
 
 /** The frame tells the scene where to draw; without it nothing is drawn. */
 export function Inset({ title }: { title: string }) {
-  const { look } = useUi().app.state;
+  const { actions } = useUi().app;
   const frame = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const own = frame.current!;
     const stage = own.closest('.stage')!;
     const measure = () => {
       const [a, b] = [own.getBoundingClientRect(), stage.getBoundingClientRect()];
-      look.insetBox.value = {
+      actions.setInsetBox({
         left: a.left - b.left,
         top: a.top - b.top,
         right: a.right - b.left,
         bottom: a.bottom - b.top,
-      };
+      });
     };
     const observer = new ResizeObserver(measure);
     observer.observe(own);
@@ -27,7 +27,7 @@ export function Inset({ title }: { title: string }) {
     measure();
     return () => {
       observer.disconnect();
-      look.insetBox.value = null;
+      actions.setInsetBox(null);
     };
   }, []);
   return (
@@ -39,8 +39,8 @@ export function Inset({ title }: { title: string }) {
 
 /** A bar as long as the arrow of a round force is at the distance of what is looked at. */
 export function ForceLegend() {
-  const { look } = useUi().app.state;
-  const bar = legendBar(look.metresPerNewton.value, look.pixelsPerMetre.value);
+  const { state } = useUi().app;
+  const bar = legendBar(state.metresPerNewton.value, state.pixelsPerMetre.value);
   if (!bar) return null;
   const force = `${formatShort(bar.newtons, 3)}${THIN}N`;
   return (

@@ -1,28 +1,16 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
-import type { ViewName } from '../../app/types.ts';
+import { viewsOf } from '../../app/runs/views.ts';
 import { useUi } from '../context.ts';
 import { Toggle } from '../kit/controls.tsx';
 import { Slot } from '../slot.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
-import type { SystemMeta } from '../../core/model/system.ts';
 import { text } from '../words.ts';
-
-/** By its key. The close-up only where there is something to come close to, the view from aboard where something goes somewhere. */
-export const viewsOf = (offers: SystemMeta['views']): ReadonlyMap<string, ViewName> =>
-  new Map([
-    ['1', 'orbit'],
-    ['2', 'front'],
-    ['3', 'side'],
-    ['4', 'top'],
-    ...(offers?.closeUp ? ([['5', 'caster']] as const) : []),
-    ...(offers?.ridden ? ([['6', 'rider']] as const) : []),
-  ]);
 
 export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
   const ui = useUi();
-  const { state } = ui.app;
+  const { state, actions } = ui.app;
   const motion = state.motion.value;
   const origin = ui.origin.value;
   const system = motion?.system ?? ui.system.value;
@@ -47,7 +35,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
         </div>
       )}
       <div class="stage-corner">
-        {closeUp && state.look.inset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
+        {closeUp && state.showInset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
         {forced && state.showForces.value && <ForceLegend />}
       </div>
       <div class="views">
@@ -59,9 +47,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
               pressed={state.view.value === view}
               title={`${text.view.names[view]} (${key})`}
               testId={`view-${view}`}
-              onClick={() => {
-                state.view.value = view;
-              }}
+              onClick={() => actions.set('view', view)}
             >
               {text.view.names[view]}
             </Toggle>
@@ -73,9 +59,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
               pressed={state.follow.value}
               title={`${text.view.follow} (F)`}
               testId="toggle-follow"
-              onClick={() => {
-                state.follow.value = !state.follow.value;
-              }}
+              onClick={() => actions.toggle('follow')}
             >
               {text.view.follow}
             </Toggle>
@@ -83,9 +67,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
               <Toggle
                 pressed={state.showTrails.value}
                 testId="toggle-trails"
-                onClick={() => {
-                  state.showTrails.value = !state.showTrails.value;
-                }}
+                onClick={() => actions.toggle('showTrails')}
               >
                 {text.view.trails}
               </Toggle>
@@ -94,9 +76,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
               <Toggle
                 pressed={state.showForces.value}
                 testId="toggle-forces"
-                onClick={() => {
-                  state.showForces.value = !state.showForces.value;
-                }}
+                onClick={() => actions.toggle('showForces')}
               >
                 {text.view.forces}
               </Toggle>

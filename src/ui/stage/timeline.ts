@@ -1,5 +1,5 @@
 /** From where to where the time line runs, and how much of it is there. */
-import type { Motion, RunState } from '../../app/types.ts';
+import type { Motion, RunState } from '../../app/runs/motion.ts';
 
 export interface Timeline {
   start: number;

@@ -33,7 +33,7 @@ export function Transport() {
           aria-label={playing ? words.pause : words.play}
           title={`${playing ? words.pause : words.play} (Space)`}
           disabled={empty}
-          onClick={() => actions.toggle()}
+          onClick={() => actions.togglePlaying()}
         >
           <Icon name={playing ? 'pause' : 'play'} />
         </button>
@@ -57,9 +57,7 @@ export function Transport() {
         label={words.loop}
         title={words.loop}
         testId="loop"
-        onClick={() => {
-          state.loop.value = !state.loop.value;
-        }}
+        onClick={() => actions.toggle('loop')}
       >
         <Icon name="loop" />
       </Toggle>
@@ -78,7 +76,7 @@ function TimeNow() {
 }
 
 function Speed() {
-  const { state } = useUi().app;
+  const { state, actions } = useUi().app;
   const speed = state.speed.value;
   const held = state.heldSpeed.value;
   const lower = state.playing.value && held !== null && held < 0.95 * speed;
@@ -89,9 +87,7 @@ function Speed() {
         aria-label={text.transport.speed}
         value={String(speed)}
         data-testid="speed"
-        onChange={(event) => {
-          state.speed.value = Number(event.currentTarget.value);
-        }}
+        onChange={(event) => actions.set('speed', Number(event.currentTarget.value))}
       >
         {choices.map((s) => (
           <option key={s} value={String(s)}>

@@ -1,6 +1,7 @@
 /** What of the stage is switched less often: names, axes, the inset, scales. A disclosure: Escape closes it, and so does pressing elsewhere. */
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { FORCE_SCALES, scaleIndex } from '../../app/state/forceScale.ts';
+import type { Quality } from '../../app/state/settingsTable.ts';
 import { useUi } from '../context.ts';
 import { Check, Choice, Icon } from '../kit/controls.tsx';
 import { formatShort, THIN } from '../kit/format.ts';
@@ -9,7 +10,7 @@ import { text } from '../words.ts';
 const words = text.look;
 
 export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden: boolean; forced: boolean }) {
-  const { look, view } = useUi().app.state;
+  const { state, actions } = useUi().app;
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);
   const id = useId();
@@ -56,49 +57,39 @@ export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden
       <div id={id} class="view-menu-body" role="group" aria-label={words.menu} hidden={!open}>
         <Check
           label={words.names}
-          checked={look.names.value}
+          checked={state.showNames.value}
           testId="look-names"
-          onChange={(on) => {
-            look.names.value = on;
-          }}
+          onChange={(on) => actions.set('showNames', on)}
         />
         <Check
           label={words.frames}
-          checked={look.frames.value}
+          checked={state.showFrames.value}
           testId="look-frames"
-          onChange={(on) => {
-            look.frames.value = on;
-          }}
+          onChange={(on) => actions.set('showFrames', on)}
         />
         {closeUp && (
           <Check
             label={words.inset}
-            checked={look.inset.value}
+            checked={state.showInset.value}
             testId="look-inset"
-            onChange={(on) => {
-              look.inset.value = on;
-            }}
+            onChange={(on) => actions.set('showInset', on)}
           />
         )}
-        {ridden && view.value === 'rider' && (
+        {ridden && state.view.value === 'rider' && (
           <Check
             label={words.level}
-            checked={look.level.value}
+            checked={state.levelHorizon.value}
             testId="look-level"
-            onChange={(on) => {
-              look.level.value = on;
-            }}
+            onChange={(on) => actions.set('levelHorizon', on)}
           />
         )}
         {forced && <ForceScale />}
         <Choice
           label={words.quality}
-          value={look.quality.value}
+          value={state.quality.value}
           testId="look-quality"
           options={words.qualities}
-          onChange={(quality) => {
-            look.quality.value = quality as typeof look.quality.value;
-          }}
+          onChange={(quality) => actions.set('quality', quality as Quality)}
         />
       </div>
     </div>
@@ -106,9 +97,9 @@ export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden
 }
 
 function ForceScale() {
-  const { look } = useUi().app.state;
+  const { state, actions } = useUi().app;
   const id = useId();
-  const at = look.metresPerNewton.value;
+  const at = state.metresPerNewton.value;
   return (
     <div class="view-menu-scale">
       <label for={id}>{words.forceScale}</label>
@@ -125,9 +116,7 @@ function ForceScale() {
         value={scaleIndex(at)}
         aria-valuetext={words.perNewton(formatShort(100 * at, 2))}
         data-testid="force-scale"
-        onInput={(event) => {
-          look.metresPerNewton.value = FORCE_SCALES[Number(event.currentTarget.value)]!;
-        }}
+        onInput={(event) => actions.set('metresPerNewton', FORCE_SCALES[Number(event.currentTarget.value)]!)}
       />
     </div>
   );

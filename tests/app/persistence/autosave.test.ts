@@ -1,9 +1,9 @@
-// What is kept comes back; what is stored by another hand, or asked for from elsewhere, is refused by name.
+// What is stored comes back; what is stored by another hand, or asked for from elsewhere, is refused by name.
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { plotsFrom } from '../../../src/app/state/plotPanes.ts';
 import { fileAddress } from '../../../src/app/files/fileAddress.ts';
-import { fromText, toText, type Kept } from '../../../src/app/persistence/savedWork.ts';
+import { fromText, toText, type SavedState } from '../../../src/app/persistence/savedWork.ts';
 import { cases, systemViews } from '../../../src/core/systems/registry.ts';
 
 const SEED = { seed: 20261124 };
@@ -15,7 +15,7 @@ const known = {
 const [first] = known.cases;
 const sleigh = known.cases.find((c) => c.id === 'chaplygin-sleigh')!;
 const own = { id: '', title: 'mine', summary: '', scenario: { version: 1 as const, system: 'bicycle', duration: 3 } };
-const kept: Kept = {
+const saved: SavedState = {
   work: {
     draft: { ...first!.scenario, duration: 2 },
     origin: first!,
@@ -40,19 +40,21 @@ const kept: Kept = {
       degrees: false,
       wrapped: true,
     },
-    look: { names: true, level: false, quality: 'low' },
+    showNames: true,
+    levelHorizon: false,
+    quality: 'low',
   },
 };
 
-describe('kept work', () => {
+describe('stored work', () => {
   test('comes back whole, and what is a case as it stands is the very case', () => {
-    const back = fromText(toText(kept), known);
-    expect(back).toEqual(kept);
+    const back = fromText(toText(saved), known);
+    expect(back).toEqual(saved);
     expect(back.work.drafts.get('chaplygin-sleigh')!.draft).toBe(sleigh.scenario);
   });
 
   test('changed by another hand: read as far as it holds, or refused with a reason', () => {
-    const text = toText(kept);
+    const text = toText(saved);
     fc.assert(
       fc.property(
         fc.nat({ max: text.length }),

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { bodyVelocity, firmness, posesNear } from '../../../src/app/push/pointerPush.ts';
 import { pushOf, stepOf } from '../../../src/app/push/keyboardPush.ts';
-import type { Motion } from '../../../src/app/types.ts';
+import type { Motion } from '../../../src/app/runs/motion.ts';
 import { systemViews } from '../../../src/core/systems/registry.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
 

@@ -1,11 +1,11 @@
-// A hand on the run that is watched: the page's store and the run's worker, on one thread; the display's clock is turned by hand.
+// A push on the run that is watched: the page's store and the run's worker, on one thread; the display's clock is turned by pusher.
 import { beforeAll, expect, test, vi } from 'vitest';
 import type { Comparison } from '../../../src/app/runs/comparison.ts';
 import type { Sweep } from '../../../src/app/runs/sweep.ts';
 import { pushComments } from '../../../src/app/push/pushRecorder.ts';
-import { createKeyHand } from '../../../src/app/push/keyboardPush.ts';
+import { createKeyboardPusher } from '../../../src/app/push/keyboardPush.ts';
 import { createApp, systemMetas } from '../../../src/app/store.ts';
-import type { App } from '../../../src/app/types.ts';
+import type { App } from '../../../src/app/app.ts';
 import type { Push } from '../../../src/core/simulation/push.ts';
 import { Simulation } from '../../../src/core/simulation/simulation.ts';
 import { systems } from '../../../src/core/systems/all.ts';
@@ -42,25 +42,25 @@ async function balanced(): Promise<App> {
   return app;
 }
 
-test('a grabbed run is computed only a little ahead of what is seen, and to its end when let go', async () => {
+test('a pushed run is computed only a little ahead of what is seen, and to its end when released', async () => {
   const app = await balanced();
-  const { state } = app;
+  const { state, actions } = app;
   expect(end(app)).toBe(10);
-  state.time.value = 2.004;
-  state.grab.value = push;
+  actions.seek(2.004);
+  actions.setPush(push);
   await until(() => end(app) < 10 && end(app) >= 2.04);
   expect(state.playing.value).toBe(true);
   const y = state.motion.value!.trajectory.column('Y')!.slice();
   for (let k = 0; k < 30; k++) {
-    state.time.value += 0.016;
-    state.grab.value = { ...push, target: [2 + 0.016 * k, 0.3, 0.15] };
+    actions.seek(state.time.value + 0.016);
+    actions.setPush({ ...push, target: [2 + 0.016 * k, 0.3, 0.15] });
     await until(() => end(app) >= state.time.value + 0.03);
     expect(end(app)).toBeLessThanOrEqual(state.time.value + 0.05);
   }
   const trajectory = state.motion.value!.trajectory;
-  // What was seen before the grab stays; what comes after it differs from the run without it.
+  // What was seen before the push stays; what comes after it differs from the run without it.
   expect(trajectory.column('Y')!.subarray(0, 200)).toEqual(y.subarray(0, 200));
-  state.grab.value = null;
+  actions.setPush(null);
   await until(() => ended(app));
   expect(end(app)).toBe(10);
   expect(state.motion.value!.marks.map((m) => m.name)).toEqual(['pushed', 'released']);
@@ -87,77 +87,77 @@ async function repeats({ state }: App): Promise<void> {
   }
 }
 
-test('grabbed at its end, a run goes on; grabbed again at an earlier moment, it goes another way from there', async () => {
+test('pushed at its end, a run goes on; pushed again at an earlier moment, it goes another way from there', async () => {
   const app = await balanced();
-  const { state } = app;
-  state.time.value = 10;
+  const { state, actions } = app;
+  actions.seek(10);
   const X = state.motion.value!.trajectory.column('X')!.at(-1)!;
-  state.grab.value = { ...push, target: [X, 0.05, 0.15] };
+  actions.setPush({ ...push, target: [X, 0.05, 0.15] });
   await until(() => end(app) > 10);
-  state.grab.value = null;
+  actions.setPush(null);
   await until(() => ended(app));
   expect(end(app)).toBe(15);
-  state.time.value = 3;
-  state.grab.value = push;
+  actions.seek(3);
+  actions.setPush(push);
   await until(() => end(app) < 10);
-  state.grab.value = null;
+  actions.setPush(null);
   await until(() => ended(app));
   expect(state.motion.value!.marks[0]!.time).toBe(3);
   expect(state.motion.value!.pushes!.map((r) => r.push !== null)).toEqual([true, false]);
 });
 
-test('a hand that lets go at once leaves nothing behind that acts', async () => {
+test('a push released at once leaves nothing behind that acts', async () => {
   const app = await balanced();
-  const { state } = app;
-  state.time.value = 1;
-  state.grab.value = push;
-  state.grab.value = null;
+  const { state, actions } = app;
+  actions.seek(1);
+  actions.setPush(push);
+  actions.setPush(null);
   await until(() => ended(app));
   expect(end(app)).toBe(10);
   expect(state.motion.value!.pushes!.at(-1)!.push).toBeNull();
 });
 
-test('a fallen board is not grabbed, and says so', async () => {
+test('a fallen board is not pushed, and says so', async () => {
   const app = opened();
   app.actions.loadCase('falling-ground');
   await until(() => ended(app));
   const last = end(app);
-  app.state.time.value = last;
-  app.state.grab.value = push;
+  app.actions.seek(last);
+  app.actions.setPush(push);
   expect(app.state.messages.value.at(-1)!.title).toBe('This run is over');
   expect(end(app)).toBe(last);
 });
 
-test('by keys: the force goes along with the body, gives way to another hand, and is over with the run', async () => {
+test('by keys: the force goes along with the body, gives way to another push, and is over with the run', async () => {
   const app = await balanced();
-  const { state } = app;
-  const hand = createKeyHand(state);
-  state.time.value = 2;
-  hand.press('front-plate', [0, 1, 0]);
-  hand.press('front-plate', [0, 1, 0]);
-  const force = hand.hold.value!.force;
+  const { state, actions } = app;
+  const pusher = createKeyboardPusher(state, app.actions);
+  actions.seek(2);
+  pusher.press('front-plate', [0, 1, 0]);
+  pusher.press('front-plate', [0, 1, 0]);
+  const force = pusher.current.value!.force;
   expect(force[1]).toBeGreaterThan(0);
   await until(() => end(app) < 10 && end(app) >= 2.04);
-  const first = state.grab.value!;
+  const first = state.push.value!;
   for (let k = 0; k < 20; k++) {
-    state.time.value += 0.016;
+    actions.seek(state.time.value + 0.016);
     await until(() => end(app) >= state.time.value + 0.03);
   }
-  // It rides at some speed, and the hand with it.
-  expect(state.grab.value!.target[0] - first.target[0]).toBeGreaterThan(0.1);
-  expect(state.grab.value!.stiffness).toBe(first.stiffness);
-  state.grab.value = push;
-  state.time.value += 0.016;
-  expect(hand.hold.value).toBeNull();
-  expect(state.grab.value).toBe(push);
-  state.grab.value = null;
+  // It rides at some speed, and the push with it.
+  expect(state.push.value!.target[0] - first.target[0]).toBeGreaterThan(0.1);
+  expect(state.push.value!.stiffness).toBe(first.stiffness);
+  actions.setPush(push);
+  actions.seek(state.time.value + 0.016);
+  expect(pusher.current.value).toBeNull();
+  expect(state.push.value).toBe(push);
+  actions.setPush(null);
   await until(() => ended(app));
-  state.time.value = 3;
-  hand.press('rod', [1, 0, 0]);
+  actions.seek(3);
+  pusher.press('rod', [1, 0, 0]);
   await until(() => end(app) < 10);
-  hand.letGo();
-  expect(state.grab.value).toBeNull();
+  pusher.release();
+  expect(state.push.value).toBeNull();
   await until(() => ended(app));
   expect(state.motion.value!.pushes!.at(-1)!.push).toBeNull();
-  hand.dispose();
+  pusher.dispose();
 });

@@ -11,7 +11,7 @@ import {
 } from '../../../src/app/state/draft.ts';
 import { fraction, timelineOf } from '../../../src/ui/stage/timeline.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
-import type { Motion } from '../../../src/app/types.ts';
+import type { Motion } from '../../../src/app/runs/motion.ts';
 
 const bare: ScenarioFile = { version: 1, system: 'ripstik' };
 

@@ -3,7 +3,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import type { CaseInfo } from '../../../src/app/types.ts';
+import type { CaseInfo } from '../../../src/app/state/cases.ts';
 import { cases, systemViews } from '../../../src/core/systems/registry.ts';
 import { matches, sectionOf, sectionsOf } from '../../../src/features/gallery/gallerySections.ts';
 import { placeBeside } from '../../../src/features/welcome/place.ts';

@@ -1,6 +1,6 @@
 import katex from 'katex';
 import { describe, expect, test } from 'vitest';
-import type { Motion } from '../../../src/app/types.ts';
+import type { Motion } from '../../../src/app/runs/motion.ts';
 import { cases, loadSystem, loadTypeset, systemViews } from '../../../src/core/systems/registry.ts';
 import { termsOf } from '../../../src/core/mechanics/terms.ts';
 import type { System } from '../../../src/core/model/system.ts';

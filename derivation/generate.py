@@ -57,6 +57,7 @@ class Equations:
         # Functions that others call: (name, doc, its arrays, units that it runs, arrays that it empties first).
         self.public = []
         self.alone = []
+        self.heights = []
 
     def texts(self) -> list:
         model = self.model
@@ -141,9 +142,8 @@ class Equations:
                              {"omega": (m * n, self.record.all(dict(enumerate(c.Omega)))), "gamma": (m, self.record.all(dict(enumerate(gamma))))}, name)
         self.public.append((f"{name}Dynamics", f"`mechanics` and `{name}Constraints` at once, for less than both.",
                             ["q", "v", "p", "massMatrix", "h", "omega", "gamma"], [self.mass, rows], ()))
-        if len(c.heights) > 0 and not self.has_heights(c.heights):
-            self.function(f"{name}Heights", "Heights of the contact points above the ground (m).", ["q", "p"],
-                          {"out": (len(c.heights), self.record.all(dict(enumerate(c.heights))))})
+        if len(c.heights) > 0:
+            self.contact_heights(f"{name}Heights", c.heights)
         a, lam = sp.Matrix(self.a), sp.Matrix(self.lam[:m])
         kinds = {"force": c.Omega.T * lam, "rate": c.Omega * a + gamma, "velocity": c.Omega * model.v}
         outputs = self.record.all({(kind, i): x for kind, column in kinds.items() for i, x in enumerate(column)})
@@ -151,10 +151,15 @@ class Equations:
                       ["q", "v", "a", "lambda", "p"], outputs, self.by("q", "v"),
                       {"forceq": ("forceQ", n), "rateq": ("rateQ", m), "ratev": ("rateV", m), "velocityq": ("velocityQ", m)})
 
-    def has_heights(self, heights) -> bool:
-        """Whether another constraint set has written the same ones already."""
-        seen, self._heights = getattr(self, "_heights", None), heights
-        return seen == heights
+    def contact_heights(self, name, heights):
+        """Written once where constraint sets keep the same ones."""
+        for other, seen in self.heights:
+            if seen == heights:
+                self.alone.append(f"/** The same as `{other}`. */\nexport const {name} = {other};\n")
+                return
+        self.heights.append((name, heights))
+        self.function(name, "Heights of the contact points above the ground (m).", ["q", "p"],
+                      {"out": (len(heights), self.record.all(dict(enumerate(heights))))})
 
     def written(self) -> list:
         """Shared functions first, then the units, then the functions that others call."""

@@ -4603,6 +4603,9 @@ export function rollingHeights(
   out[1] = x17;
 }
 
+/** The same as `rollingHeights`. */
+export const reportHeights = rollingHeights;
+
 /** Mass matrix (10 x 10) and h (10) of M a = h. */
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,

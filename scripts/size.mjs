@@ -18,28 +18,6 @@ const AT_ONCE = [
   'src/core/systems/ripstik/equations.generated.ts',
 ];
 
-/** A system's equations of motion: all that is generated but its poses, which the page draws with. */
-const EQUATIONS = /^src\/core\/systems\/([\w-]+)\/(?:.*\/)?(?!poses\b)[\w-]+\.generated\.ts$/;
-
-/**
- * Equations that the page itself holds, or that are in more than one file.
- *
- * @param {Record<string, import('./chunks.ts').Chunk>} chunks
- * @returns {{ systems: Set<string>, faults: string[] }} the systems whose equations were found, and what is wrong
- */
-export function repeatedEquations(chunks) {
-  const holders = new Map();
-  for (const [file, { by, modules }] of Object.entries(chunks))
-    for (const [module, bytes] of Object.entries(modules))
-      if (bytes > 0 && EQUATIONS.test(module)) holders.set(module, [...(holders.get(module) ?? []), { file, by }]);
-  const faults = [...holders].flatMap(([module, files]) => {
-    const page = files.filter(({ by }) => by === 'page').map(({ file }) => `${module} is in the page itself: ${file}`);
-    const names = files.map(({ file }) => file).join(', ');
-    return files.length > 1 ? [...page, `${module} is in ${files.length} files: ${names}`] : page;
-  });
-  return { systems: new Set([...holders.keys()].map((module) => EQUATIONS.exec(module)[1])), faults };
-}
-
 /** The files that are loaded with the first view: what index.html names, what is asked for at once, what these import. */
 function firstView(chunks) {
   const html = readFileSync(join(dist, 'index.html'), 'utf8');
@@ -61,35 +39,34 @@ function firstView(chunks) {
   return files;
 }
 
-function readChunks(scripts) {
+function readList(scripts) {
   if (!existsSync(list)) throw new Plain(`${list} is missing: build the page.`);
-  const chunks = JSON.parse(readFileSync(list, 'utf8'));
+  const { chunks, equations } = JSON.parse(readFileSync(list, 'utf8'));
   const unknown = scripts.filter((name) => name.startsWith('assets/') && !(name in chunks));
   if (unknown.length > 0) throw new Plain(`${list} is of another build than dist (${unknown[0]}): build the page.`);
-  return chunks;
+  return { chunks, equations };
 }
 
-/** Run as a script, not when a test imports it. */
-if (process.argv[1] === import.meta.filename)
-  main(async () => {
-    const scripts = readdirSync(dist, { recursive: true })
-      .map((name) => name.replaceAll(sep, '/'))
-      .filter((name) => name.endsWith('.js'))
-      .sort();
-    const chunks = readChunks(scripts);
-    const first = firstView(chunks);
-    let [sum, all] = [0, 0];
-    for (const name of scripts) {
-      const size = gzipSync(readFileSync(join(dist, name)), { level: 9 }).length / 1000;
-      all += size;
-      if (first.has(name)) sum += size;
-      console.log(`${size.toFixed(1).padStart(7)} kB  ${basename(name)}${first.has(name) ? '' : '  (later)'}`);
-    }
-    const { systems, faults } = repeatedEquations(chunks);
-    for (const fault of faults) console.log(fault);
-    console.log(
-      `${all.toFixed(1).padStart(7)} kB  all scripts, gzip; the equations of ${systems.size} systems, once each`,
-    );
-    console.log(`${sum.toFixed(1).padStart(7)} kB  first view, gzip (limit ${LIMIT_KB} kB)`);
-    return sum < LIMIT_KB && faults.length === 0 && systems.size > 0 ? 0 : 1;
-  });
+main(async () => {
+  const scripts = readdirSync(dist, { recursive: true })
+    .map((name) => name.replaceAll(sep, '/'))
+    .filter((name) => name.endsWith('.js'))
+    .sort();
+  const { chunks, equations } = readList(scripts);
+  const first = firstView(chunks);
+  let [sum, all] = [0, 0];
+  for (const name of scripts) {
+    const size = gzipSync(readFileSync(join(dist, name)), { level: 9 }).length / 1000;
+    all += size;
+    if (first.has(name)) sum += size;
+    console.log(`${size.toFixed(1).padStart(7)} kB  ${basename(name)}${first.has(name) ? '' : '  (later)'}`);
+  }
+  const { systems, faults } = equations;
+  for (const fault of faults) console.log(fault);
+  if (systems.length === 0) throw new Plain('no equations were found in dist: this check looks for the wrong names.');
+  if (faults.length === 0)
+    console.log(`${systems.length} systems, the equations of each in one file, none in the page`);
+  console.log(`${all.toFixed(1).padStart(7)} kB  all scripts, gzip`);
+  console.log(`${sum.toFixed(1).padStart(7)} kB  first view, gzip (limit ${LIMIT_KB} kB)`);
+  return sum < LIMIT_KB && faults.length === 0 ? 0 : 1;
+});

@@ -3,7 +3,7 @@ import { CsvClient } from '../../src/compute/client/csvClient.ts';
 import { calls } from '../../src/compute/services/csv.ts';
 import { Trajectory } from '../../src/core/motion/trajectory.ts';
 import { writeCsv } from '../../src/csv/csv.ts';
-import { NearWorker } from '../compute/nearWorker.ts';
+import { NearWorker } from './nearWorker.ts';
 
 /** The writer's worker; `before` each part something may happen to the run. */
 function writer(before: (part: number) => void): NearWorker {

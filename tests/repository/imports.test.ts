@@ -41,8 +41,8 @@ const ONLY: Readonly<Record<string, string>> = {
   katex: 'features',
   mediabunny: 'features',
 };
-/** Folders of `src` in which no file may reach itself through its imports. */
-const WITHOUT_CIRCLES = ['core'];
+/** Folders of `src` in which a file still reaches itself through its imports, of values or types; the list only gets shorter. */
+const CIRCLES_LEFT: readonly string[] = ['features'];
 
 const src = resolve('src');
 /** `from '…'`, `import '…'`, `import('…')`, `new URL('…', import.meta.url)`. */
@@ -140,7 +140,14 @@ describe('imports point one way', () => {
     ['core', CORE],
   ])('the table of %s allows no circle', (_, table) => expect(circle(new Map(Object.entries(table)))).toBeNull());
 
-  test.each(WITHOUT_CIRCLES)('no file of %s reaches itself', (root) => expect(circle(within(root))).toBeNull());
+  test('no file reaches itself', () => {
+    const free = new Map([...files].filter(([name]) => !CIRCLES_LEFT.includes(partOf(name, '')!)));
+    expect(free.size).toBeGreaterThan(100);
+    expect(circle(free)).toBeNull();
+  });
+
+  test('a folder without circles is off the list', () =>
+    expect(CIRCLES_LEFT.filter((root) => circle(within(root)) === null)).toEqual([]));
 
   test('a circle would be seen', () => {
     expect(

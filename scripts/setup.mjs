@@ -42,11 +42,11 @@ export function requireNode(version = process.versions.node) {
  * Runs a program to its end. `show` passes its output on (`'stderr'`: everything to standard error); otherwise the
  * output is kept. Standard input is closed, so nothing can ask a question.
  */
-export function run(program, args, { show = false, env = {}, timeout = 0, shell = false } = {}) {
+export function run(program, args, { show = false, env = {}, timeout = 0, shell = false, cwd = root } = {}) {
   return new Promise((done) => {
     const out = show === 'stderr' ? 2 : show ? 'inherit' : 'pipe';
     const child = spawn(program, args, {
-      cwd: root,
+      cwd,
       env: { ...process.env, ...env },
       stdio: ['ignore', out, show ? 'inherit' : 'pipe'],
       timeout,

@@ -10,11 +10,13 @@ import { Compute } from './compute/client/compute.ts';
 import { startWorker } from './compute/client/startWorker.ts';
 import { formulations } from './core/mechanics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
-import { features } from './features/registry.ts';
+import * as registry from './features/registry.ts';
 import './ui/kit/disposeReplaced.ts';
+import { inOrder } from './ui/feature.ts';
 import { Shell } from './ui/shell/shell.tsx';
 import { connectScene } from './stage/sceneBridge.ts';
 
+const features = inOrder(registry);
 const compute = new Compute(startWorker, systemMetas, navigator.hardwareConcurrency || 2);
 const app = createApp(
   compute,

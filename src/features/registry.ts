@@ -1,31 +1,14 @@
-import type { Feature } from '../ui/feature.ts';
-import { analysis } from './analysis/manifest.tsx';
-import { compare } from './compare/manifest.tsx';
-import { equations } from './equations/manifest.tsx';
-import { experiment } from './experiment/manifest.tsx';
-import { exporting } from './export/manifest.tsx';
-import { file } from './file/manifest.tsx';
-import { gallery } from './gallery/manifest.tsx';
-import { methods } from './methods/manifest.tsx';
-import { now } from './now/manifest.tsx';
-import { plots } from './plots/manifest.tsx';
-import { push } from './push/manifest.tsx';
-import { share } from './share/manifest.tsx';
-import { welcome } from './welcome/manifest.tsx';
-
-/** All there is on the page, in the order in which each slot shows it. */
-export const features: readonly Feature[] = [
-  experiment,
-  gallery,
-  now,
-  plots,
-  equations,
-  analysis,
-  methods,
-  compare,
-  file,
-  exporting,
-  share,
-  push,
-  welcome,
-];
+/** All features of the page, one line each. Where a feature stands among the others is its manifest's `order`. */
+export { experiment } from './experiment/manifest.tsx';
+export { gallery } from './gallery/manifest.tsx';
+export { now } from './now/manifest.tsx';
+export { plots } from './plots/manifest.tsx';
+export { equations } from './equations/manifest.tsx';
+export { analysis } from './analysis/manifest.tsx';
+export { methods } from './methods/manifest.tsx';
+export { compare } from './compare/manifest.tsx';
+export { file } from './file/manifest.tsx';
+export { exporting } from './export/manifest.tsx';
+export { share } from './share/manifest.tsx';
+export { push } from './push/manifest.tsx';
+export { welcome } from './welcome/manifest.tsx';

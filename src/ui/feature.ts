@@ -27,6 +27,8 @@ export interface KeyCommand {
 export interface Feature {
   /** Permanent: the name of its folder, and of its tool in links and in what is stored. */
   id: string;
+  /** Where it stands among the others in every slot, smallest first. */
+  order: number;
   /** The panel at the left, and the first tab of the phone's sheet. */
   panel?: { title: string; Body: ComponentType };
   tool?: Tool;
@@ -60,3 +62,7 @@ export interface Feature {
 /** Slots that hold a component without properties. */
 export type SlotName =
   'topStart' | 'topEnd' | 'caption' | 'stagePad' | 'stageSwitch' | 'card' | 'notes' | 'runStatus' | 'dialog';
+
+/** Features as the page shows them. */
+export const inOrder = (features: Readonly<Record<string, Feature>>): readonly Feature[] =>
+  Object.values(features).sort((a, b) => a.order - b.order);

@@ -5,6 +5,7 @@ import { words } from './words.ts';
 
 export const analysis: Feature = {
   id: 'analysis',
+  order: 60,
   tool: {
     title: words.open,
     icon: 'analysis',

@@ -5,6 +5,7 @@ import { words } from './words.ts';
 
 export const compare: Feature = {
   id: 'compare',
+  order: 80,
   tool: {
     title: words.open,
     icon: 'compare',

@@ -4,6 +4,7 @@ import { equations as words } from './words.ts';
 
 export const equations: Feature = {
   id: 'equations',
+  order: 50,
   tool: {
     title: words.open,
     icon: 'equations',

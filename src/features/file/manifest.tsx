@@ -8,6 +8,7 @@ import { words } from './words.ts';
 
 export const file: Feature = {
   id: 'file',
+  order: 90,
   topEnd: OpenButtons,
   tab: {
     title: words.title,

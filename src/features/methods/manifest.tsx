@@ -4,6 +4,7 @@ import { words } from './words.ts';
 
 export const methods: Feature = {
   id: 'methods',
+  order: 70,
   tool: {
     title: words.open,
     icon: 'methods',

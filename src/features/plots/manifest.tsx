@@ -4,6 +4,7 @@ import { text as words } from './words.ts';
 
 export const plots: Feature = {
   id: 'plots',
+  order: 40,
   tool: {
     title: words.title,
     icon: 'plots',

@@ -5,6 +5,7 @@ import { words } from './words.ts';
 
 export const push: Feature = {
   id: 'push',
+  order: 120,
   stagePad: PushSlot,
   stageSwitch: PushSwitch,
   commands: [

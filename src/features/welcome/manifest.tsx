@@ -1,4 +1,4 @@
 import type { Feature } from '../../ui/feature.ts';
 import { TakeTour, Welcome } from './welcome.tsx';
 
-export const welcome: Feature = { id: 'welcome', card: Welcome, help: TakeTour };
+export const welcome: Feature = { id: 'welcome', order: 130, card: Welcome, help: TakeTour };

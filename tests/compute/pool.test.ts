@@ -13,7 +13,7 @@ const turn = (): Promise<void> => new Promise((done) => setTimeout(done));
 describe('a pool', () => {
   test('computes every job once, in order, never more at a time than there are lanes', async () => {
     const lanes: Lane[] = [];
-    const pool = new Pool(() => (lanes.push(new Lane()), lanes[lanes.length - 1]!), 4);
+    const pool = new Pool(() => (lanes.push(new Lane()), lanes[lanes.length - 1]!), 3);
     const begun: number[] = [];
     const over: (() => void)[] = [];
     let most = 0;
@@ -39,7 +39,7 @@ describe('a pool', () => {
   });
 
   test('jobs that are over at once do not nest, and one told twice counts once', async () => {
-    const pool = new Pool(() => new Lane(), 2);
+    const pool = new Pool(() => new Lane(), 1);
     let depth = 0;
     let jobs = 0;
     let finished = 0;
@@ -60,7 +60,7 @@ describe('a pool', () => {
 
   test('hears nothing of what it stopped', async () => {
     const lanes: Lane[] = [];
-    const pool = new Pool(() => (lanes.push(new Lane()), lanes[lanes.length - 1]!), 3);
+    const pool = new Pool(() => (lanes.push(new Lane()), lanes[lanes.length - 1]!), 2);
     const over: (() => void)[] = [];
     let finished = 0;
     pool.start(

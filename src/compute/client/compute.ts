@@ -18,7 +18,9 @@ export class Compute {
   readonly locus: LocusClient;
   readonly mechanics: MechanicsClient;
   readonly csv: CsvClient;
+  /** A core stays with the page, which draws the runs that come. */
   readonly comparison: Pool<RunClient>;
+  /** Every core: only numbers come back, and the page has its share whenever it asks. */
   readonly sweep: Pool<SweepClient>;
 
   /** @param cores of the machine */
@@ -28,7 +30,7 @@ export class Compute {
     this.locus = new LocusClient(() => start('locus'), metas);
     this.mechanics = new MechanicsClient(() => start('mechanics'));
     this.csv = new CsvClient(() => start('csv'));
-    this.comparison = new Pool(() => new RunClient(() => start('comparison')), cores);
+    this.comparison = new Pool(() => new RunClient(() => start('comparison')), cores - 1);
     this.sweep = new Pool(() => new SweepClient(() => start('sweep')), cores);
   }
 }

@@ -12,10 +12,10 @@ export class Pool<L extends Lane> {
   /** Rises with every start and stop: what an earlier batch still says is not heard. */
   private batch = 0;
 
-  /** @param cores of the machine; one stays with the page, so that it never freezes */
-  constructor(open: () => L, cores: number) {
+  /** @param size lanes, at least one */
+  constructor(open: () => L, size: number) {
     this.open = open;
-    this.size = Math.max(1, cores - 1);
+    this.size = Math.max(1, size);
   }
 
   /**

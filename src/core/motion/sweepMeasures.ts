@@ -3,7 +3,7 @@ import { inputsOf } from '../model/inputs.ts';
 import { groundCoordinates } from './columns.ts';
 import { recipeOf, type Recipe } from './recipes.ts';
 import type { RunCounts, RunEnd } from '../simulation/simulation.ts';
-import type { System } from '../model/system.ts';
+import type { System, SystemMeta } from '../model/system.ts';
 
 /**
  * A number that a sweep keeps of each run. Of a column, over all rows: `end`, `max`, `min`. Else:
@@ -36,13 +36,24 @@ export function extrasFor(measures: readonly SweepMeasure[]): string[] {
   return extras;
 }
 
+/**
+ * Whether rows between the first and the last change what is measured: the end of a coordinate or of its rate is in the
+ * last row, and when a run ended or how many steps it took is in none. Each row costs a look into a step and a projection.
+ */
+export function needsRows(measures: readonly SweepMeasure[], { coordinates }: SystemMeta): boolean {
+  const states = new Set(coordinates.flatMap(({ name }) => [name, `${name}_dot`]));
+  return measures.some((m) =>
+    m.kind === 'end' ? !states.has(m.column) : !['time', 'steps', 'seconds'].includes(m.kind),
+  );
+}
+
 /** Measures a run chunk by chunk, so that no row is kept. */
 export class RunMeasurer {
   private readonly measures: readonly SweepMeasure[];
   private readonly values: Float64Array;
   private readonly places: Int32Array;
-  /** Of measured columns that are not recorded: how each row follows, and from which columns. */
-  private readonly recipes: readonly ({ recipe: Recipe; from: readonly number[] } | null)[];
+  /** Of measured columns that are not recorded. */
+  private readonly made: readonly (MadeColumn | null)[];
   private readonly ground: readonly number[];
   /** Per recorded input: its column, and the rates it works on with their factors. */
   private readonly efforts: readonly { column: number; rates: readonly { column: number; factor: number }[] }[];
@@ -68,12 +79,10 @@ export class RunMeasurer {
     this.measures = measures;
     const at = (name: string): number => columns.indexOf(name);
     this.places = Int32Array.from(measures, (m) => ('column' in m ? at(m.column) : -1));
-    this.recipes = measures.map((m) => {
-      const recipe =
-        'column' in m && at(m.column) < 0
-          ? recipeOf(system, parameters, (name) => columns.includes(name), m.column)
-          : null;
-      return recipe && { recipe, from: recipe.from.map(at) };
+    this.made = measures.map((m) => {
+      if (!('column' in m) || at(m.column) >= 0) return null;
+      const recipe = recipeOf(system, parameters, (name) => columns.includes(name), m.column);
+      return recipe && new MadeColumn(recipe, recipe.from.map(at));
     });
     this.values = Float64Array.from(measures, ({ kind }) =>
       kind === 'max' ? -Infinity : kind === 'min' ? Infinity : NaN,
@@ -96,17 +105,8 @@ export class RunMeasurer {
     for (let m = 0; m < this.places.length; m++) {
       const place = this.places[m]!;
       if (place >= 0) this.extend(m, chunk[place]!, rows);
-      const made = this.recipes[m];
-      if (made)
-        this.extend(
-          m,
-          computed(
-            made.recipe,
-            made.from.map((c) => chunk[c]!),
-            rows,
-          ),
-          rows,
-        );
+      const made = this.made[m];
+      if (made) this.extend(m, made.next(chunk, rows), rows);
     }
     for (let row = 0; row < rows; row++) this.move(chunk, row);
   }
@@ -124,7 +124,7 @@ export class RunMeasurer {
       costOfTransport: this.efforts.length > 0 && this.distance > 0 ? this.work / (this.weight * this.distance) : NaN,
     };
     return this.measures.map((m, i) => {
-      const value = 'column' in m ? (this.places[i]! < 0 && !this.recipes[i] ? NaN : this.values[i]!) : facts[m.kind];
+      const value = 'column' in m ? (this.places[i]! < 0 && !this.made[i] ? NaN : this.values[i]!) : facts[m.kind];
       return Number.isFinite(value) ? value : NaN;
     });
   }
@@ -168,11 +168,6 @@ export class RunMeasurer {
   }
 }
 
-/** A computed column over the rows of one chunk: of columns whose rows do not depend on those before. */
-function computed(recipe: Recipe, from: readonly Float64Array[], rows: number): Float64Array {
-  return Float64Array.from({ length: rows }, (_, row) => recipe.value(from, row, 0));
-}
-
 /** The mass that a push along the ground meets when nothing turns: the mass matrix's entry of that coordinate, kg. */
 function movedMass({ meta, mechanics }: System, parameters: Readonly<Record<string, number>>, q: Float64Array): number {
   const n = meta.coordinates.length;
@@ -181,4 +176,36 @@ function movedMass({ meta, mechanics }: System, parameters: Readonly<Record<stri
   mechanics(q, new Float64Array(n), p, massMatrix, new Float64Array(n));
   const i = meta.coordinates.findIndex(({ name }) => name === groundCoordinates(meta)[0]);
   return massMatrix[i * n + i]!;
+}
+
+/** A column computed from recorded ones, chunk by chunk: what is summed up over rows goes on where the last chunk ended. */
+class MadeColumn {
+  private readonly recipe: Recipe;
+  private readonly from: readonly number[];
+  private before = 0;
+  /** The last row of the chunk before, in the columns of `from`. */
+  private lastRow: readonly number[] | null = null;
+
+  /** @param from places of the recipe's columns in a chunk */
+  constructor(recipe: Recipe, from: readonly number[]) {
+    this.recipe = recipe;
+    this.from = from;
+  }
+
+  next(chunk: readonly Float64Array[], rows: number): Float64Array {
+    const values = new Float64Array(rows);
+    if (rows === 0) return values;
+    const { lastRow } = this;
+    const ahead = lastRow ? 1 : 0;
+    const columns = this.from.map((place, k) => {
+      const column = new Float64Array(rows + ahead);
+      if (lastRow) column[0] = lastRow[k]!;
+      column.set(chunk[place]!.subarray(0, rows), ahead);
+      return column;
+    });
+    for (let row = 0; row < rows; row++)
+      values[row] = this.before = this.recipe.value(columns, row + ahead, this.before);
+    this.lastRow = columns.map((column) => column[rows + ahead - 1]!);
+    return values;
+  }
 }

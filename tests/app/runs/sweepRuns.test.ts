@@ -68,7 +68,7 @@ const plan: SweepPlan = {
 describe('a sweep', () => {
   const fresh = (): Sweep => {
     Answering.all = [];
-    return new Sweep(new Pool(() => new SweepClient(() => new Answering().near), 3));
+    return new Sweep(new Pool(() => new SweepClient(() => new Answering().near), 2));
   };
   const asked = (): Promise<void> => until(() => Answering.all.every(({ asked }) => asked !== null));
   const ended = (): boolean[] => Answering.all.map(({ near }) => near.terminated);

@@ -33,8 +33,6 @@ export type CsvResult =
 
 /** The report's player drew 60 rows a second. */
 const OFFERED_STEP = 1 / 60;
-/** Coordinates of the report's own files, which have no header. */
-const HEADERLESS_SYSTEM = 'ripstik';
 /** Text looked at before the separator is decided. */
 export const ENOUGH_TO_DECIDE = 65536;
 const LONGEST_SCENARIO = 200_000;
@@ -227,11 +225,12 @@ export class CsvReader {
     for (const { title, message } of reading.repeated) this.store!.note(line, title, message);
   }
 
-  /** The report's own files: 10 columns of coordinates, or 11 with the time first. */
+  /** A file of numbers alone: the coordinates in order, or the time before them, of a system that has such files. */
   private headerless(cells: readonly string[], line: number): boolean {
-    const names = this.options.systems[HEADERLESS_SYSTEM]?.coordinates.map((q) => q.name) ?? [];
+    const system = Object.values(this.options.systems).find((meta) => meta.headerless);
+    const names = system?.coordinates.map((q) => q.name) ?? [];
     const count = cells.at(-1)!.trim() === '' ? cells.length - 1 : cells.length;
-    if (names.length === 0 || (count !== names.length && count !== names.length + 1)) {
+    if (!system || (count !== names.length && count !== names.length + 1)) {
       this.refuse(
         line,
         '',
@@ -247,7 +246,7 @@ export class CsvReader {
       title: String(index + 1),
       needed: true,
     }));
-    if (!this.begin(HEADERLESS_SYSTEM, uses, timed, count)) return false;
+    if (!this.begin(system.id, uses, timed, count)) return false;
     this.notes.push(
       timed
         ? 'no header: time, then the coordinates in order (SI, radians)'

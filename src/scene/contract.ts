@@ -1,7 +1,9 @@
 /** What the scene is given: it knows poses, not physics, and never asks where they came from. */
+import type { ColourRole } from '../core/model/system.ts';
+
 export interface BodyPart {
   id: string;
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
 }
 
 /** A body and the name of the mesh pair that draws it. */
@@ -48,7 +50,7 @@ export interface Frame {
   wheelAngles: Float64Array;
   /** Constraint forces: world origin and vector in N, or empty. */
   forces: readonly {
-    part: 'front' | 'back';
+    role: ColourRole;
     kind: 'lateral' | 'vertical';
     origin: readonly [number, number, number];
     vector: readonly [number, number, number];
@@ -57,7 +59,7 @@ export interface Frame {
 
 /** A path so far: x, y, z triples, times rising; views into growing arrays. */
 export interface Trail {
-  part: BodyPart['part'];
+  role: BodyPart['role'];
   /** 3 floats per point. */
   points: Float32Array;
   times: Float64Array;

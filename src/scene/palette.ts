@@ -4,12 +4,13 @@
  * Front and back take the vermilion/blue and orange/sky-blue pairs of Okabe and Ito's palette for colour-blind readers
  * (https://jfly.uni-koeln.de/color/): the darker pair on the light ground, the lighter pair on the dark one.
  */
+import type { ColourRole } from '../core/model/system.ts';
+
 export type Theme = 'light' | 'dark';
-export type Part = 'board' | 'front' | 'back';
 
 export interface Palette {
   /** Meaning: front, back, whole board. */
-  part: Readonly<Record<Part, string>>;
+  role: Readonly<Record<ColourRole, string>>;
   background: string;
   /** Above the horizon, where the background ends. */
   zenith: string;
@@ -31,7 +32,7 @@ export interface Palette {
 
 export const palettes: Readonly<Record<Theme, Palette>> = {
   light: {
-    part: { board: '#4c545c', front: '#D55E00', back: '#0072B2' },
+    role: { neutral: '#4c545c', first: '#D55E00', second: '#0072B2' },
     background: '#dfe4e8',
     zenith: '#f4f6f8',
     ground: '#fbfbfa',
@@ -46,7 +47,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
     light: { hemisphere: 1.65, key: 2.4, environment: 0.55, shadow: 0.24, contact: 0.34 },
   },
   dark: {
-    part: { board: '#b4bcc4', front: '#E69F00', back: '#56B4E9' },
+    role: { neutral: '#b4bcc4', first: '#E69F00', second: '#56B4E9' },
     background: '#0f1216',
     zenith: '#20262d',
     ground: '#30363e',

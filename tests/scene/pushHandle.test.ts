@@ -36,7 +36,7 @@ function cubes(...places: readonly [number, number, number][]): Bodies {
   const bodies = new Bodies(new Scene(), palettes.light);
   bodies.setModels(
     { cube: { mdl: CUBE, mat: 'newmtl plastic\nKd 0.5 0.5 0.5\n' } },
-    places.map((_, i) => ({ id: `cube-${i}`, part: 'board' as const, model: 'cube' })),
+    places.map((_, i) => ({ id: `cube-${i}`, role: 'neutral' as const, model: 'cube' })),
   );
   const [c, s] = [Math.cos(0.5), Math.sin(0.5)];
   bodies.place(

@@ -10,7 +10,7 @@ function trail(count: number, speed = 1, room = count): Trail {
     times[i] = 0.01 * i;
     points[3 * i] = speed * times[i]!;
   }
-  return { part: 'front', points, times, count };
+  return { role: 'first', points, times, count };
 }
 
 test('a track is drawn up to the present, including points at exactly that time', () => {
@@ -72,7 +72,7 @@ test('a track as long as an hour keeps so many points, from its first to nearly 
   for (let k = 0; k < count; k++) points.set([3 * Math.cos(k / 300), 3 * Math.sin(k / 300), 0], 3 * k);
   const buffer = new TrackBuffer();
   for (let seen = 7_000; seen <= count + 6_999; seen += 7_000) {
-    const change = buffer.take({ part: 'front', points, times, count: Math.min(seen, count) });
+    const change = buffer.take({ role: 'first', points, times, count: Math.min(seen, count) });
     expect(change).not.toBeNull();
     expect(buffer.count).toBeLessThanOrEqual(MOST_POINTS);
   }

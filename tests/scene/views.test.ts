@@ -129,9 +129,9 @@ test('front and back differ from each other and from the ground in both themes',
     ];
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
-  for (const { part, ground } of Object.values(palettes)) {
-    expect(part.front).not.toBe(part.back);
-    for (const colour of [part.front, part.back]) {
+  for (const { role, ground } of Object.values(palettes)) {
+    expect(role.first).not.toBe(role.second);
+    for (const colour of [role.first, role.second]) {
       const [a, b] = [luminance(colour), luminance(ground)].sort((p, q) => q - p) as [number, number];
       expect((a + 0.05) / (b + 0.05)).toBeGreaterThan(3); // WCAG, for graphics
     }

@@ -18,22 +18,16 @@ export interface Stage {
 
 const DEGREE = Math.PI / 180;
 
-function boardInWords(t: number, at: (name: string) => number): string {
-  const lean = at('alpha') / DEGREE;
-  const heading = at('theta') / DEGREE;
-  return (
-    `Board at ${t.toFixed(1)} s: position ${at('X').toFixed(2)}, ${at('Y').toFixed(2)} m, heading ${heading.toFixed(0)}°, ` +
-    `front plate roll ${(lean + at('alpha_fp') / DEGREE).toFixed(0)}°, back plate roll ${(lean + at('alpha_bp') / DEGREE).toFixed(0)}°.`
-  );
-}
-
-/** Every coordinate by its plain name. */
-function inWords(meta: SystemMeta, t: number, at: (name: string) => number): string {
-  const values = meta.coordinates.map(
-    ({ name, label, kind }) =>
-      `${label} ${(kind === 'angle' ? `${(at(name) / DEGREE).toFixed(0)}°` : `${at(name).toFixed(2)} m`).replace('-', '\u2212')}`,
-  );
-  return `${meta.title} at ${t.toFixed(1)} s: ${values.join('; ')}.`;
+/** What the meta has a screen reader told, else every coordinate by its plain name. */
+function inWords({ title, coordinates, spoken }: SystemMeta, t: number, at: (name: string) => number): string {
+  const shown = (names: readonly string[]): string => {
+    const sum = names.reduce((total, name) => total + at(name), 0);
+    const angle = coordinates.find(({ name }) => name === names[0])?.kind === 'angle';
+    return (angle ? `${(sum / DEGREE).toFixed(0)}°` : `${sum.toFixed(2)} m`).replace('-', '\u2212');
+  };
+  const items = spoken ?? coordinates.map(({ name, label }) => ({ label, values: [[name]] }));
+  const said = items.map(({ label, values }) => `${label} ${values.map(shown).join(', ')}`);
+  return `${title} at ${t.toFixed(1)} s: ${said.join('; ')}.`;
 }
 
 export function stageOf({ state }: { state: StageState & Pick<PlaybackState, 'time'> }): Stage {
@@ -55,7 +49,7 @@ export function stageOf({ state }: { state: StageState & Pick<PlaybackState, 'ti
     if (!motion || !now || motion.trajectory.length === 0) return;
     const t = state.time.peek();
     const at = (name: string): number => now.interpolated(name, t) ?? 0;
-    const text = motion.system.meta.id === 'ripstik' ? boardInWords(t, at) : inWords(motion.system.meta, t, at);
+    const text = inWords(motion.system.meta, t, at);
     if (text !== description.peek()) description.value = text;
   };
   setInterval(describe, 1000);

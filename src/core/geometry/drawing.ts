@@ -1,5 +1,5 @@
 /** What a drawing of a system is: meshes by name, who wears them, what stands still around them, and how to look at it. */
-import type { SystemMeta } from '../model/system.ts';
+import type { ColourRole, SystemMeta } from '../model/system.ts';
 import type { Vec3 } from './vectors.ts';
 import type { Body } from './wavefront.ts';
 
@@ -13,7 +13,7 @@ export interface Model {
 /** A body (moved by its pose) or a fixture (in world axes) and the name of the mesh pair that draws it. */
 export interface Wearer {
   id: string;
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
   model: string;
   /** The mesh's group `wheel` turns about y through `hub` (in the body's frame) by the rolled angle of this contact. */
   spin?: { hub: Vec3; contact: number };
@@ -80,9 +80,9 @@ export function castOf(meta: SystemMeta, { spins, stage }: Layout): Pick<Drawing
   const closeUp = indexOf(meta.views?.closeUp);
   const common: Stage = { subject: 0, facing: 'nose', still: false, floor: 0, closeUp: closeUp < 0 ? null : closeUp };
   return {
-    bodies: meta.bodies.map(({ id, part, model }): Wearer => {
+    bodies: meta.bodies.map(({ id, role, model }): Wearer => {
       const spin = spins?.[id];
-      return { id, part, model: model ?? id, ...(spin ? { spin } : {}) };
+      return { id, role, model: model ?? id, ...(spin ? { spin } : {}) };
     }),
     stage: { ...common, ...own, subject: Math.max(0, indexOf(subject)) },
   };

@@ -22,7 +22,7 @@ export function drawingFrom(
   return {
     pairs,
     ...cast,
-    fixtures: Object.keys(sketch.fixtures ?? {}).map((id): Wearer => ({ id, part: 'board', model: id })),
+    fixtures: Object.keys(sketch.fixtures ?? {}).map((id): Wearer => ({ id, role: 'neutral', model: id })),
   };
 }
 

@@ -1,6 +1,6 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import type { ContactMeta, System } from '../model/system.ts';
+import { type ContactMeta, dependentWords, type System } from '../model/system.ts';
 import { ConstrainedSystem } from './constrainedSystem.ts';
 import { Projection } from './projection.ts';
 
@@ -75,13 +75,13 @@ export function consistentStart(
     if (!new Projection(dynamics).project(0, q, v)) {
       throw new StartError(
         dynamics.failure === 'constraint-singular'
-          ? `the constraints "${constraintSet}" are dependent at this start${hold.length ? ' with the held coordinates' : ''} (a skate lies flat, or too much is held): change the start, hold less, or choose constraints "none"`
+          ? `the constraints "${constraintSet}" are dependent at this start${hold.length ? ' with the held coordinates; too much may be held' : ''}${dependentWords(system.meta, constraintSet)}: change the start${hold.length ? ', hold less' : ''}, or choose constraints "none"`
           : 'the mass matrix is singular at this start: give every body a mass',
       );
     }
   }
   if (constraintSet !== 'none' && system.clearance && system.clearance(q, parameters) < 0) {
-    notes.push('a part of the board starts below the ground');
+    notes.push(`${system.meta.touchdown?.label ?? 'a part'} starts below the ground`);
   }
   return { q, v, adjustments: adjustmentsOf(system, initial, asked, q, v), notes };
 }
@@ -144,8 +144,9 @@ function solveContact(
   }
   // Rounding of heights made of terms of about a metre.
   if (!(size < 1e-12)) {
+    const points = system.meta.constraintSets.find(({ id }) => id === set)?.contact?.points;
     throw new StartError(
-      `no ${contact.solveFor.join(' and ')} puts both skate points on the ground for this attitude (best: ${size.toExponential(2)} m): lower the roll or pitch, or choose constraints "none"`,
+      `no ${contact.solveFor.join(' and ')} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude, or choose constraints "none"`,
     );
   }
 }

@@ -1,4 +1,4 @@
-import type { System } from '../model/system.ts';
+import { dependentWords, type System } from '../model/system.ts';
 import type { ConstrainedSystem } from './constrainedSystem.ts';
 
 /** A function of the state whose downward crossing of zero ends the run. */
@@ -11,7 +11,7 @@ export interface EventFunction {
   readonly looks: number;
 }
 
-/** A skate counts as flat when the scaled constraints are this close to dependent (spec, section 2). */
+/** The scaled constraints count as dependent when their smallest eigenvalue is this small. */
 const SINGULAR_BELOW = 1e-6;
 
 /** The events of a run: under contact constraint sets only, and only those not ignored. */
@@ -28,7 +28,8 @@ export function eventsOf(
       id: 'touchdown',
       looks: 4,
       value: (_t, q) => clearance(q, dynamics.parameters),
-      message: (t) => `touchdown: a corner of a plate reached the ground at t = ${t.toFixed(3)} s`,
+      message: (t) =>
+        `touchdown: ${system.meta.touchdown?.label ?? 'a part'} reached the ground at t = ${t.toFixed(3)} s`,
     });
   }
   if (actions['constraint-singular'] !== 'ignore') {
@@ -42,7 +43,7 @@ export function eventsOf(
         return (bound > SINGULAR_BELOW ? bound : dynamics.independence()) - SINGULAR_BELOW;
       },
       message: (t) =>
-        `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s (a skate lies flat)`,
+        `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s${dependentWords(system.meta, dynamics.constraints?.id)}`,
     });
   }
   return list;

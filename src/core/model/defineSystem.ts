@@ -85,7 +85,12 @@ function constraintSet(
       : dynamics,
     jacobians: generated(system, equations, `${id}Jacobians`),
     contact: contact
-      ? { ...contact, count: contact.rows.length, heights: generated(system, equations, `${heightsOf}Heights`) }
+      ? {
+          rows: contact.rows,
+          solveFor: contact.solveFor,
+          count: contact.rows.length,
+          heights: generated(system, equations, `${heightsOf}Heights`),
+        }
       : null,
   };
 }

@@ -5,6 +5,9 @@
  * All matrices are row-major `Float64Array`s owned by the caller; SI units and radians.
  */
 
+/** What a thing's colour says: nothing in particular, or that it belongs to the first or second of two like parts (front and rear). */
+export type ColourRole = 'neutral' | 'first' | 'second';
+
 /** A generalized coordinate, as it is named in every file, API and test. */
 export interface CoordinateMeta {
   name: string;
@@ -13,8 +16,8 @@ export interface CoordinateMeta {
   /** Plain words, e.g. "front plate roll, relative to the rod". */
   label: string;
   kind: 'length' | 'angle';
-  /** Which part it belongs to: decides its colour everywhere. */
-  part: 'board' | 'front' | 'back';
+  /** Its colour everywhere. */
+  role: ColourRole;
   /** Value at rest when `initial` does not name it (default 0). */
   rest?: number;
 }
@@ -25,7 +28,7 @@ export interface SumMeta {
   symbol: string;
   label: string;
   of: readonly string[];
-  part: CoordinateMeta['part'];
+  role: ColourRole;
 }
 
 export interface ParameterMeta {
@@ -63,7 +66,7 @@ export interface BodyMeta {
   /** The mesh that it wears, if not one of its own name. */
   model?: string;
   label: string;
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
 }
 
 /** A constraint set as the meta names it; one without rows leaves the system free. */
@@ -73,7 +76,14 @@ export interface ConstraintSetMeta {
   /** Of Omega. */
   rows?: number;
   /** Holonomic part: which rows of Omega are gradients of heights, and the coordinates that give way (Newton) so that the start touches the ground. */
-  contact?: { rows: readonly number[]; solveFor: readonly string[] };
+  contact?: {
+    rows: readonly number[];
+    solveFor: readonly string[];
+    /** What touches the ground, in a sentence: "both skate points". */
+    points: string;
+  };
+  /** What it means that the rows have become dependent, in a sentence: "a skate lies flat". */
+  dependent?: string;
 }
 
 /** Velocity constraints `Omega(q) v = 0` with `Omega a + gamma = 0`, gamma = Omega_dot v. */
@@ -143,9 +153,24 @@ export interface SystemMeta {
   /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
   optionalForces?: readonly string[];
   /** Boxes that may not touch the ground, centred on bodies: ids, and the parameters that are their sides (m) along x, y and z. */
-  touchdown?: { bodies: readonly string[]; box: readonly [string, string, string] };
+  touchdown?: {
+    bodies: readonly string[];
+    box: readonly [string, string, string];
+    /** What of it touches, in a sentence: "a corner of a plate". */
+    label: string;
+  };
+  /** Its files without a header row are known by their number of columns: the coordinates in order, or the time before them. */
+  headerless?: boolean;
+  /** What a screen reader is told of a moment: sums of coordinates under a name; every coordinate where it is left out. */
+  spoken?: readonly { label: string; values: readonly (readonly string[])[] }[];
   /** Ways to look at it: from aboard, where it goes somewhere, and at a body close up. */
   views?: { ridden?: boolean; closeUp?: string };
+}
+
+/** @returns what dependent rows of a constraint set mean, in parentheses after a space; nothing where the meta does not say */
+export function dependentWords({ constraintSets }: SystemMeta, id: string | undefined): string {
+  const words = constraintSets.find((set) => set.id === id)?.dependent;
+  return words ? ` (${words})` : '';
 }
 
 /** @returns position of a parameter in the vector `p`; throws where the system has none of that name */
@@ -173,14 +198,16 @@ export interface SystemView {
 
 export interface TrackedPoint {
   body: number;
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
   /** Name of the parameter that is the radius (m) of a wheel about the body's y: its lowest point leaves the path, not the origin. */
   rim?: string;
 }
 
 export interface TrackedContact {
   body: number;
-  part: 'front' | 'back';
+  /** Plain words, e.g. "front wheel". */
+  label: string;
+  role: ColourRole;
   /** Name of the parameter that is the wheel's radius (m). */
   radius: string;
   /** Index of the multiplier that is the force along the axle, or (by constraint set) along world Y, and of the vertical one. */

@@ -1,9 +1,8 @@
 /** The catalogue: what every column of a motion is called and measured in, recorded or computed, the same everywhere. */
 import { inputsOf } from '../model/inputs.ts';
-import type { BodyMeta, SystemMeta, SystemView } from '../model/system.ts';
+import type { ColourRole, SystemMeta, SystemView } from '../model/system.ts';
 import { joined, symbolText, words, type Text } from './symbols.ts';
 
-export type Part = BodyMeta['part'];
 export type ColumnKind = 'time' | 'length' | 'angle' | 'rate' | 'force' | 'energy' | 'power' | 'ratio';
 export type ColumnGroup = 'coordinates' | 'rates' | 'inputs' | 'forces' | 'energy' | 'computed' | 'bodies' | 'other';
 
@@ -22,8 +21,8 @@ export interface Column {
   degrees: boolean;
   /** A position angle: values that differ by whole turns mean the same. */
   turns: boolean;
-  /** Whose colour it wears; null for a neutral one. */
-  part: Part | null;
+  /** Its colour; null where it belongs to nothing. */
+  role: ColourRole | null;
   group: ColumnGroup;
 }
 
@@ -34,14 +33,21 @@ const column = (facts: Facts): Column => ({
   unit: '',
   degrees: false,
   turns: false,
-  part: null,
+  role: null,
   ...facts,
 });
 
 /** A length or an angle and its rate; `sums` of coordinates are columns like these. */
-function pair(name: string, symbol: string, label: string, angle: boolean, part: Part, group?: ColumnGroup): Column[] {
+function pair(
+  name: string,
+  symbol: string,
+  label: string,
+  angle: boolean,
+  role: ColourRole,
+  group?: ColumnGroup,
+): Column[] {
   const unit = angle ? 'rad' : 'm';
-  const common = { symbol, degrees: angle, part };
+  const common = { symbol, degrees: angle, role };
   return [
     column({
       ...common,
@@ -75,12 +81,12 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
     column({ name, symbol, label, unit: 'J', kind: 'energy', group: 'energy' });
   const all = [
     column({ name: 't', symbol: 't', label: 'time', unit: 's', kind: 'time', group: 'other' }),
-    ...meta.coordinates.flatMap((c) => pair(c.name, c.symbol, c.label, c.kind === 'angle', c.part)),
-    ...(meta.sums ?? []).flatMap((s) => pair(s.name, s.symbol, s.label, true, s.part, 'computed')),
-    ...inputsOf(meta).map((i) => column({ ...i, kind: 'force', part: partOfInput(meta, i.column), group: 'inputs' })),
+    ...meta.coordinates.flatMap((c) => pair(c.name, c.symbol, c.label, c.kind === 'angle', c.role)),
+    ...(meta.sums ?? []).flatMap((s) => pair(s.name, s.symbol, s.label, true, s.role, 'computed')),
+    ...inputsOf(meta).map((i) => column({ ...i, kind: 'force', role: roleOfInput(meta, i.column), group: 'inputs' })),
     ...contacts.flatMap((c) => [
-      multiplier(c.lateral, `${c.part} wheel, lateral force`, c.part),
-      multiplier(c.vertical, `${c.part} wheel, vertical force`, c.part),
+      multiplier(c.lateral, `${c.label}, lateral force`, c.role),
+      multiplier(c.vertical, `${c.label}, vertical force`, c.role),
     ]),
     energy('energy', 'E', 'energy'),
     energy('kinetic', 'T', 'kinetic energy'),
@@ -120,7 +126,7 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
           label: `${b.label}, ${axis}`,
           unit: 'm',
           kind: 'length',
-          part: b.part,
+          role: b.role,
           group: 'bodies',
         }),
       ),
@@ -130,23 +136,23 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
   return new Map(all.reverse().map((c) => [c.name, c]));
 }
 
-const multiplier = (index: number, label: string, part: Part | null): Column =>
+const multiplier = (index: number, label: string, role: ColourRole | null): Column =>
   column({
     name: `lambda_${index + 1}`,
     symbol: `λ_${index + 1}`,
     label,
     unit: 'N',
     kind: 'force',
-    part,
+    role,
     group: 'forces',
   });
 
-/** The part that an input works on, where that is one. */
-function partOfInput({ coordinates }: SystemMeta, entries: Readonly<Record<string, number>>): Part | null {
-  const parts = new Set(Object.keys(entries).map((name) => coordinates.find((c) => c.name === name)?.part));
-  parts.delete('board');
-  const [only] = parts;
-  return parts.size === 1 ? (only ?? null) : null;
+/** The colour of what an input works on, where that is one. */
+function roleOfInput({ coordinates }: SystemMeta, entries: Readonly<Record<string, number>>): ColourRole | null {
+  const roles = new Set(Object.keys(entries).map((name) => coordinates.find((c) => c.name === name)?.role));
+  roles.delete('neutral');
+  const [only] = roles;
+  return roles.size === 1 ? (only ?? null) : null;
 }
 
 /** Made once a system, with and without its contacts. */

@@ -1,4 +1,4 @@
-import type { SystemView, TrackedPoint } from '../model/system.ts';
+import type { ColourRole, SystemView, TrackedPoint } from '../model/system.ts';
 import { matrixOf, quaternionOf, slerp } from './attitude.ts';
 import { columnOf } from './columns.ts';
 import { interpolate, TURN } from './interpolation.ts';
@@ -7,7 +7,7 @@ import type { Trajectory } from './trajectory.ts';
 
 /** Multipliers at a moment as forces on the ground contacts, N in world axes. */
 export interface ContactForce {
-  part: 'front' | 'back';
+  role: ColourRole;
   kind: 'lateral' | 'vertical';
   origin: [number, number, number];
   vector: [number, number, number];
@@ -15,7 +15,7 @@ export interface ContactForce {
 
 /** Path of one point: rows so far, 3 floats each. */
 export interface PointTrack {
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
   points: Float32Array;
   times: Float64Array;
   count: number;
@@ -80,8 +80,8 @@ export class MotionSampler {
     this.last = new Float64Array(2 * view.contacts.length);
     this.points = view.tracks ?? view.contacts;
     this.rims = Float64Array.from(this.points, (point) => (point.rim === undefined ? 0 : (parameters[point.rim] ?? 0)));
-    this.pointTracks = this.points.map(({ part }) => ({
-      part,
+    this.pointTracks = this.points.map(({ role }) => ({
+      role,
       points: new Float32Array(0),
       times: new Float64Array(0),
       count: 0,
@@ -149,12 +149,12 @@ export class MotionSampler {
         ? [0, 1, 0]
         : [poses[o + 4]!, poses[o + 7]!, poses[o + 10]!];
       list.push({
-        part: contact.part,
+        role: contact.role,
         kind: 'lateral',
         origin,
         vector: [axle[0] * lateral, axle[1] * lateral, axle[2] * lateral],
       });
-      list.push({ part: contact.part, kind: 'vertical', origin, vector: [0, 0, vertical] });
+      list.push({ role: contact.role, kind: 'vertical', origin, vector: [0, 0, vertical] });
     }
     return list;
   }

@@ -8,7 +8,7 @@ import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
-import type { System } from '../model/system.ts';
+import { dependentWords, type System } from '../model/system.ts';
 import { motionOf } from './motion.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';
@@ -259,11 +259,11 @@ export class Simulation {
   private oneStep(): void {
     const { stepper, formulation, scenario, endQ: q, endV: v } = this;
     const failure = stepper.step(Math.min(scenario.duration, this.horizon, this.coming.at(-1)?.time ?? Infinity));
-    if (failure) return this.stop(failure, failureMessage(failure, stepper.t));
+    if (failure) return this.stop(failure, this.failureMessage(failure, stepper.t));
     if (this.projecting && !stepper.projects) {
       if (!this.projectEnd(stepper.t, stepper.y)) {
         const reason = this.dynamics.failure ?? 'constraint-singular';
-        return this.stop(reason, failureMessage(reason, stepper.previousT));
+        return this.stop(reason, this.failureMessage(reason, stepper.previousT));
       }
       stepper.stateChanged();
     }
@@ -364,7 +364,7 @@ export class Simulation {
     const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
     if (this.projecting) this.rowProjection.project(time, q, v);
     if (!(maxAbs(q) < Infinity && maxAbs(v) < Infinity))
-      return this.stop('non-finite', failureMessage('non-finite', time), time);
+      return this.stop('non-finite', this.failureMessage('non-finite', time), time);
     if (this.rows >= this.chunk[0]!.length) this.grow();
     const row = this.rows++;
     let c = 0;
@@ -408,6 +408,10 @@ export class Simulation {
     return this.columns.map(() => new Float64Array(CHUNK_ROWS));
   }
 
+  private failureMessage(reason: string, t: number): string {
+    return failureMessage(reason, t, dependentWords(this.dynamics.system.meta, this.dynamics.constraints?.id));
+  }
+
   private grow(): void {
     this.chunk = this.chunk.map((old) => {
       const grown = new Float64Array(2 * old.length);
@@ -427,12 +431,12 @@ function addCounters(a: Counters, b: Counters): Counters {
   };
 }
 
-function failureMessage(reason: string, t: number): string {
+function failureMessage(reason: string, t: number, dependent: string): string {
   const at = `at t = ${t.toFixed(3)} s`;
   const known: Record<string, string> = {
     'step-too-small': `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method`,
     'non-finite': `the equations gave a number that is not finite ${at}: check parameters and inputs`,
-    'constraint-singular': `the constraints became dependent ${at} (a skate lies flat)`,
+    'constraint-singular': `the constraints became dependent ${at} ${dependent}`,
     'mass-matrix-singular': `the mass matrix became singular ${at}: give every body a mass and inertia`,
   };
   return `${reason}: ${known[reason] ?? `the method stopped ${at}`}`;

@@ -1,6 +1,6 @@
 /** Names of states and inputs as a person reads them, and the part of a draft that an analysis depends on. */
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { SystemMeta } from '../../core/model/system.ts';
+import type { ColourRole, SystemMeta } from '../../core/model/system.ts';
 
 export interface StateName {
   name: string;
@@ -11,7 +11,7 @@ export interface StateName {
   unit: string;
   angle: boolean;
   rate: boolean;
-  part: 'board' | 'front' | 'back';
+  role: ColourRole;
 }
 
 /** Coordinates, then (unless the equations are of first order) their rates. */
@@ -20,9 +20,9 @@ export function stateNames(
   rateWord: string,
 ): Map<string, StateName> {
   const names = new Map<string, StateName>();
-  for (const { name, symbol, label, kind, part } of coordinates) {
+  for (const { name, symbol, label, kind, role } of coordinates) {
     const [angle, unit] = [kind === 'angle', kind === 'angle' ? 'rad' : 'm'];
-    names.set(name, { name, symbol, label, unit, angle, rate: false, part });
+    names.set(name, { name, symbol, label, unit, angle, rate: false, role });
     if (order !== 1)
       names.set(`${name}_dot`, {
         name: `${name}_dot`,
@@ -31,7 +31,7 @@ export function stateNames(
         unit: `${unit}/s`,
         angle,
         rate: true,
-        part,
+        role,
       });
   }
   return names;

@@ -166,11 +166,11 @@ function Fact({ state, value }: { state: StateName; value: number }) {
   );
 }
 
-/** `front vertical`, or nothing where the multiplier is no wheel's force. */
+/** `front wheel, vertical`, or nothing where the multiplier is no wheel's force. */
 function role(system: SystemView, index: number): string {
-  for (const { part, lateral, vertical } of system.contacts) {
-    if (index === lateral) return `${words.part[part]} ${words.lateral}`;
-    if (index === vertical) return `${words.part[part]} ${words.vertical}`;
+  for (const { label, lateral, vertical } of system.contacts) {
+    if (index === lateral) return `${label}, ${words.lateral}`;
+    if (index === vertical) return `${label}, ${words.vertical}`;
   }
   return '';
 }

@@ -3,7 +3,6 @@ export const words = {
   rate: 'rate',
   parameters: 'Parameters',
   multipliers: 'Multipliers',
-  part: { front: 'front', back: 'back' },
   lateral: 'lateral',
   vertical: 'vertical',
   open: 'Analysis',

@@ -39,7 +39,7 @@ function BodyFormulas({ body }: { body: TypesetBody }) {
   return (
     <section aria-label={name} data-testid={`equations-body-${body.id}`}>
       <h4>
-        <Chip part={meta?.part ?? 'board'} />
+        <Chip role={meta?.role ?? 'neutral'} />
         {name}
       </h4>
       {lines.map(

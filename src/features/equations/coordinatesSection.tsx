@@ -47,7 +47,7 @@ export function CoordinatesSection() {
 }
 
 function Row({
-  coordinate: { name, label, kind, part },
+  coordinate: { name, label, kind, role },
   motion,
   time,
 }: {
@@ -62,7 +62,7 @@ function Row({
   return (
     <tr>
       <th scope="row">
-        <Chip part={part} />
+        <Chip role={role} />
         <Letter mark={name} />
       </th>
       <td class="words">{label}</td>

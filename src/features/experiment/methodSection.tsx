@@ -111,9 +111,9 @@ export function TimeSection() {
     <Section title={words.time} open>
       <NumberField symbol="T" spec={spec('duration')} testId="duration" />
       <NumberField symbol="Δt" spec={spec('outputStep')} testId="output-step" />
-      {system && system.contacts.length > 0 && constraints !== 'none' && (
+      {system?.meta.touchdown && constraints !== 'none' && (
         <Choice
-          label={words.touchdown}
+          label={words.touchdown(system.meta.touchdown.label)}
           value={draft.events?.['touchdown'] ?? 'stop'}
           testId="event-touchdown"
           options={[
@@ -122,7 +122,9 @@ export function TimeSection() {
           ]}
           error={ui.app.state.draftErrors.value.get('events.touchdown')}
           onChange={(id) =>
-            edit(ui, words.touchdown, (now) => withKey(now, 'events', eventsWith(now.events, id === 'ignore')))
+            edit(ui, words.touchdown(system.meta.touchdown!.label), (now) =>
+              withKey(now, 'events', eventsWith(now.events, id === 'ignore')),
+            )
           }
         />
       )}

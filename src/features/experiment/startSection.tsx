@@ -87,7 +87,7 @@ function StartRow({
   return (
     <div class="start-row">
       <span class="handle" title={kit.scrub} {...valueField.scrub}>
-        <Chip part={coordinate.part} />
+        <Chip role={coordinate.role} />
         <span class="name">
           <MathSymbol of={coordinate.symbol} /> {coordinate.label}
         </span>

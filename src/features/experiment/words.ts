@@ -38,7 +38,7 @@ export const words = {
   time: 'Time and events',
   duration: 'duration',
   outputStep: 'output step',
-  touchdown: 'When a plate touches the ground',
+  touchdown: (what: string) => `When ${what} touches the ground`,
   stop: 'Stop',
   ignore: 'Run on',
   reset: 'Reset',

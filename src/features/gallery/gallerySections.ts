@@ -1,13 +1,13 @@
 /** Which cases the gallery shows for a search, and under which heading each stands. */
 import type { CaseInfo } from '../../app/state/cases.ts';
 
-/** Headings in their order: the board's own cases, the report's chapters, then what comes from papers. */
+/** Headings in their order: our own cases, the report's chapters, then what comes from papers. */
 export const sectionIds = ['board', '3.2', '3.3', '3.4', '3.5', 'papers'] as const;
 export type SectionId = (typeof sectionIds)[number];
 
-export function sectionOf({ chapter, scenario }: CaseInfo): SectionId {
+export function sectionOf({ chapter, source }: CaseInfo): SectionId {
   const found = sectionIds.find((id) => chapter === id || chapter?.startsWith(`${id}.`));
-  return found ?? (scenario.system === 'ripstik' ? 'board' : 'papers');
+  return found ?? (source ? 'papers' : 'board');
 }
 
 /** @param systemTitle the name of the case's system, which is searched too */

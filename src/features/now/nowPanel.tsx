@@ -1,6 +1,6 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
 import type { Motion } from '../../app/runs/motion.ts';
-import type { CoordinateMeta } from '../../core/model/system.ts';
+import type { ColourRole, CoordinateMeta } from '../../core/model/system.ts';
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { useUi } from '../../ui/context.ts';
 import { Slot } from '../../ui/slot.tsx';
@@ -70,7 +70,7 @@ function Row({
   return (
     <tr>
       <th scope="row" title={c.label}>
-        <Chip part={c.part} />
+        <Chip role={c.role} />
         <MathSymbol of={c.symbol} />
         <span class="hidden">{c.label}</span>
       </th>
@@ -85,28 +85,28 @@ function Row({
 }
 
 function Multipliers({ motion, names, time }: { motion: Motion; names: readonly string[]; time: number }) {
-  const roles = new Map<number, { part: 'front' | 'back'; label: string }>();
-  for (const { part, lateral, vertical } of motion.system.contacts) {
-    roles.set(lateral, { part, label: `${words.part[part]} ${words.lateral}` });
-    roles.set(vertical, { part, label: `${words.part[part]} ${words.vertical}` });
+  const forces = new Map<number, { role: ColourRole; label: string }>();
+  for (const { role, label, lateral, vertical } of motion.system.contacts) {
+    forces.set(lateral, { role, label: `${label}, ${words.lateral}` });
+    forces.set(vertical, { role, label: `${label}, ${words.vertical}` });
   }
   return (
     <table data-testid="now-multipliers">
       <caption>{words.multipliers}</caption>
       <tbody>
         {names.map((name, i) => {
-          const role = roles.get(i);
+          const force = forces.get(i);
           const value = sample(motion.trajectory, name, time);
           return (
             <tr key={name}>
               <th scope="row">
-                <Chip part={role?.part ?? 'board'} />
-                <MathSymbol of={name.replace('lambda', 'λ')} /> <span class="name">{role?.label ?? ''}</span>
+                <Chip role={force?.role ?? 'neutral'} />
+                <MathSymbol of={name.replace('lambda', 'λ')} /> <span class="name">{force?.label ?? ''}</span>
               </th>
               <td class="number" data-testid={`now-${name}`}>
                 {value === null ? '–' : formatFixed(value, 3)}
               </td>
-              <td class="unit">{role ? 'N' : ''}</td>
+              <td class="unit">{force ? 'N' : ''}</td>
             </tr>
           );
         })}

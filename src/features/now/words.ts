@@ -5,7 +5,6 @@ export const words = {
   rate: 'rate',
   multipliers: 'Multipliers',
   empty: 'Nothing to read yet. Run the experiment or open a file.',
-  part: { front: 'front', back: 'back' },
   lateral: 'lateral',
   vertical: 'vertical',
 } as const;

@@ -19,8 +19,8 @@ const WAYS: Readonly<Record<Way, { force: Force; key: string; icon: IconName }>>
   down: { force: [0, 0, -1], key: 'PageDown', icon: 'lower' },
 };
 
-/** What a person would push first: the front plate, else the first body. */
-const firstOf = ({ bodies }: SystemMeta): string => (bodies.find(({ part }) => part === 'front') ?? bodies[0]!).id;
+/** What a person would push first: the first of two like bodies, else the first body. */
+const firstOf = ({ bodies }: SystemMeta): string => (bodies.find(({ role }) => role === 'first') ?? bodies[0]!).id;
 
 export function PushPad() {
   const { state, actions } = useUi().app;

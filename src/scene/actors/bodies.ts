@@ -141,7 +141,7 @@ export class Bodies {
     this.palette = palette;
     this.environment = environment;
     for (const { model, surfaces } of [...this.drawn, ...this.fixtures])
-      for (const s of surfaces) dress(s, model.part, palette, environment);
+      for (const s of surfaces) dress(s, model.role, palette, environment);
   }
 
   matrix(index: number): Matrix4 | null {
@@ -241,7 +241,7 @@ export class Bodies {
   }
 
   private add(body: Drawn): void {
-    for (const s of body.surfaces) dress(s, body.model.part, this.palette, this.environment);
+    for (const s of body.surfaces) dress(s, body.model.role, this.palette, this.environment);
     this.scene.add(body.root);
   }
 

@@ -1,6 +1,7 @@
 /** Surfaces: what a material of a mesh file looks like, by its name and colour. */
+import type { ColourRole } from '../../core/model/system.ts';
 import { type Material, Color, MeshStandardMaterial } from 'three';
-import type { Palette, Part } from '../palette.ts';
+import type { Palette } from '../palette.ts';
 import { lightInStudio } from '../environment/softboxes.ts';
 
 export interface Finish {
@@ -62,14 +63,15 @@ export function surfaceFrom(source: Material & { color?: Color }): MeshStandardM
   return surface;
 }
 
-/** The part whose colour an accent has: its body's, unless its name says otherwise. */
-const partOf = (name: string, part: Part): Part => (/front/i.test(name) ? 'front' : /back/i.test(name) ? 'back' : part);
+/** The colour of an accent: its body's, unless its name says otherwise. */
+const roleOf = (name: string, role: ColourRole): ColourRole =>
+  /front/i.test(name) ? 'first' : /back/i.test(name) ? 'second' : role;
 
 /** Gives the surface its theme: the accent's colour, and a metal's look with or without an environment. */
-export function dress(surface: MeshStandardMaterial, part: Part, palette: Palette, environment: boolean): void {
+export function dress(surface: MeshStandardMaterial, role: ColourRole, palette: Palette, environment: boolean): void {
   const finish = surface.userData['finish'] as Finish;
   surface.metalness = environment ? finish.metalness : finish.plainMetalness;
   if (finish.kind !== 'accent') return;
-  surface.color.set(palette.part[partOf(surface.name, part)]);
+  surface.color.set(palette.role[roleOf(surface.name, role)]);
   surface.emissive.copy(surface.color);
 }

@@ -149,7 +149,7 @@ function plain(
     if (name !== 'position' && name !== 'normal') mesh.geometry.deleteAttribute(name);
   mesh.geometry = mergeVertices(mesh.geometry, 1e-7);
   for (const surface of [mesh.material].flat()) {
-    dress(surface, model.part, palettes[theme], true);
+    dress(surface, model.role, palettes[theme], true);
     surface.emissive.multiplyScalar(surface.emissiveIntensity);
     surface.emissiveIntensity = 1;
     surface.userData = {};

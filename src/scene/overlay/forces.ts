@@ -35,7 +35,7 @@ export class Forces {
   private readonly ghosts: readonly [InstancedMesh, InstancedMesh];
   private readonly scene: Scene;
   private palette: Palette;
-  private shown: Frame['forces'][number]['part'][] = [];
+  private shown: Frame['forces'][number]['role'][] = [];
 
   constructor(scene: Scene, palette: Palette) {
     this.scene = scene;
@@ -74,7 +74,7 @@ export class Forces {
       const length = arrowLength(newtons, metresPerNewton);
       if (n === MOST || !(length > 0)) continue;
       this.place(n++, force, length, newtons);
-      this.shown.push(force.part);
+      this.shown.push(force.role);
     }
     for (const mesh of [this.shafts, this.heads, ...this.ghosts]) {
       mesh.count = n;
@@ -86,8 +86,8 @@ export class Forces {
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    this.shown.forEach((part, i) => {
-      this.shafts.setColorAt(i, colour.set(palette.part[part]));
+    this.shown.forEach((role, i) => {
+      this.shafts.setColorAt(i, colour.set(palette.role[role]));
       this.heads.setColorAt(i, colour);
     });
     this.ghosts[0].instanceColor = this.shafts.instanceColor;

@@ -76,7 +76,7 @@ export class Marks {
       const corners = bodies.shows(i) ? bodies.corners(i) : [];
       if (corners.length === 0) return word.hide();
       const model = bodies.modelOf(i)!;
-      word.write(model.label ?? model.id, this.palette, this.palette.part[model.part]);
+      word.write(model.label ?? model.id, this.palette, this.palette.role[model.role]);
       const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
       for (const corner of corners) {
         low.min(corner);

@@ -116,7 +116,7 @@ class Track {
 
 export class Trails {
   private readonly tracks: Track[] = [];
-  private parts: readonly Trail['part'][] = [];
+  private parts: readonly Trail['role'][] = [];
   private readonly scene: Scene;
   private palette: Palette;
   private pixel: PixelSize = { perPixel: 1e-3, ratio: 1 };
@@ -131,7 +131,7 @@ export class Trails {
   set(trails: readonly Trail[]): void {
     while (this.tracks.length < trails.length) this.tracks.push(new Track(this.scene));
     while (this.tracks.length > trails.length) this.tracks.pop()!.dispose();
-    this.parts = trails.map(({ part }) => part);
+    this.parts = trails.map(({ role }) => role);
     trails.forEach((trail, i) => this.tracks[i]!.set(trail, this.floor, this.size));
     this.look();
   }
@@ -164,6 +164,6 @@ export class Trails {
   }
 
   private look(): void {
-    this.tracks.forEach((track, i) => track.look(this.palette.part[this.parts[i]!], this.pixel));
+    this.tracks.forEach((track, i) => track.look(this.palette.role[this.parts[i]!], this.pixel));
   }
 }

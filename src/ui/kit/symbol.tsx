@@ -1,3 +1,5 @@
+import type { ColourRole } from '../../core/model/system.ts';
+
 /** `α_fp` set with its subscript; a rate has a dot over its letter, drawn, for few fonts have one that sits well. */
 export function MathSymbol({ of, rate = false }: { of: string; rate?: boolean | undefined }) {
   const [base, ...rest] = of.split('_');
@@ -9,7 +11,7 @@ export function MathSymbol({ of, rate = false }: { of: string; rate?: boolean | 
   );
 }
 
-/** The colour of the part a row belongs to; neutral for the whole board. */
-export function Chip({ part }: { part: 'board' | 'front' | 'back' }) {
-  return <span class={`chip chip-${part}`} aria-hidden="true" />;
+/** The colour of what a row belongs to. */
+export function Chip({ role }: { role: ColourRole }) {
+  return <span class={`chip chip-${role}`} aria-hidden="true" />;
 }

@@ -96,7 +96,7 @@ describe.each(Object.values(systemViews).map((view) => [view.meta.id, view] as c
     'every pair can be read by the scene: %s',
     (__, values) => {
       const { pairs, bodies, fixtures } = drawingOf(meta, values);
-      expect(bodies.map(({ id, part }) => ({ id, part }))).toEqual(meta.bodies.map(({ id, part }) => ({ id, part })));
+      expect(bodies.map(({ id, role }) => ({ id, role }))).toEqual(meta.bodies.map(({ id, role }) => ({ id, role })));
       for (const { model } of [...bodies, ...fixtures]) {
         const { mdl, mat } = pairs[model]!;
         checkMesh(mdl, `${model}.mdl`);

@@ -53,7 +53,7 @@ test('a rate wears a dot, a subscript stands below, words stay words', () => {
     symbol: 'ρ_f',
     rate: true,
     unit: 'rad/s',
-    part: 'front',
+    role: 'first',
   });
   expect(columnOf(ripstik.meta, 'lambda_2', ripstik.contacts).label).toBe('front wheel, vertical force');
   expect(columnOf(ripstik.meta, 'other')).toMatchObject({ symbol: 'other', unit: '' });

@@ -85,3 +85,12 @@ test('the registry brings names, poses and cases along, but no equations, formul
     along.filter((path) => /equations\.generated|typeset\.generated|drawing\.ts$|solids|wavefront/.test(path)),
   ).toEqual(['../geometry/drawing.ts']);
 });
+
+test('general code asks the meta and never for a system by name', () => {
+  const named = new RegExp(`[!=]==\\s*['"\`](${systemIds.join('|')})['"\`]`);
+  const general = readdirSync(resolve('src'), { recursive: true, encoding: 'utf8' }).filter(
+    (name) => /\.tsx?$/.test(name) && !/\.(test|spec|generated)\./.test(name) && !name.startsWith('core/systems/'),
+  );
+  expect(general.length).toBeGreaterThan(100);
+  expect(general.filter((name) => named.test(readFileSync(resolve('src', name), 'utf8')))).toEqual([]);
+});

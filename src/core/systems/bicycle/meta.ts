@@ -12,14 +12,14 @@ export const bicycleMeta = {
   id: 'bicycle',
   title: 'Bicycle (Whipple)',
   coordinates: [
-    { name: 'x', symbol: 'x', label: 'rear contact, forward', kind: 'length', part: 'back' },
-    { name: 'y', symbol: 'y', label: 'rear contact, to the left', kind: 'length', part: 'back' },
-    { name: 'yaw', symbol: 'ψ', label: 'heading, to the left', kind: 'angle', part: 'board' },
-    { name: 'roll', symbol: 'φ', label: 'lean, to the right', kind: 'angle', part: 'board' },
-    { name: 'pitch', symbol: 'θ', label: 'pitch of the rear frame, nose down', kind: 'angle', part: 'board' },
-    { name: 'steer', symbol: 'δ', label: 'steer, to the right', kind: 'angle', part: 'front' },
-    { name: 'rear_spin', symbol: 'θ_R', label: 'rear wheel in its frame, forward', kind: 'angle', part: 'back' },
-    { name: 'front_spin', symbol: 'θ_F', label: 'front wheel in its fork, forward', kind: 'angle', part: 'front' },
+    { name: 'x', symbol: 'x', label: 'rear contact, forward', kind: 'length', role: 'second' },
+    { name: 'y', symbol: 'y', label: 'rear contact, to the left', kind: 'length', role: 'second' },
+    { name: 'yaw', symbol: 'ψ', label: 'heading, to the left', kind: 'angle', role: 'neutral' },
+    { name: 'roll', symbol: 'φ', label: 'lean, to the right', kind: 'angle', role: 'neutral' },
+    { name: 'pitch', symbol: 'θ', label: 'pitch of the rear frame, nose down', kind: 'angle', role: 'neutral' },
+    { name: 'steer', symbol: 'δ', label: 'steer, to the right', kind: 'angle', role: 'first' },
+    { name: 'rear_spin', symbol: 'θ_R', label: 'rear wheel in its frame, forward', kind: 'angle', role: 'second' },
+    { name: 'front_spin', symbol: 'θ_F', label: 'front wheel in its fork, forward', kind: 'angle', role: 'first' },
   ],
   parameters: [
     {
@@ -282,7 +282,8 @@ export const bicycleMeta = {
       label: 'Rolling: no slip at either contact, both wheels on the ground',
       /** Rear along and across its heading, front along and across, height of the front contact. */
       rows: 5,
-      contact: { rows: [4], solveFor: ['pitch'] },
+      contact: { rows: [4], solveFor: ['pitch'], points: 'the front wheel' },
+      dependent: 'a wheel lies flat',
     },
   ],
   inputs: [
@@ -313,10 +314,10 @@ export const bicycleMeta = {
   speed: { name: 'speed', label: 'forward speed, wheels rolling', along: ['x_dot', 'y_dot'], heading: 'yaw' },
   regulators: ['tau_steer'],
   bodies: [
-    { id: 'rear-wheel', label: 'rear wheel', part: 'back' },
-    { id: 'rear-frame', label: 'rear frame with rider', part: 'board' },
-    { id: 'front-frame', label: 'front frame', part: 'board' },
-    { id: 'front-wheel', label: 'front wheel', part: 'front' },
+    { id: 'rear-wheel', label: 'rear wheel', role: 'second' },
+    { id: 'rear-frame', label: 'rear frame with rider', role: 'neutral' },
+    { id: 'front-frame', label: 'front frame', role: 'neutral' },
+    { id: 'front-wheel', label: 'front wheel', role: 'first' },
   ],
   views: { ridden: true },
 } as const satisfies SystemMeta;

@@ -8,7 +8,7 @@ export const bicycleView: SystemView = {
   poses,
   contacts: [],
   tracks: [
-    { body: 0, part: 'back', rim: 'rearRadius' },
-    { body: 3, part: 'front', rim: 'frontRadius' },
+    { body: 0, role: 'second', rim: 'rearRadius' },
+    { body: 3, role: 'first', rim: 'frontRadius' },
   ],
 };

@@ -7,13 +7,13 @@ export const cartPendulumMeta = {
   id: 'cart-pendulum',
   title: 'Cart and pendulum',
   coordinates: [
-    { name: 'X', symbol: 'X', label: 'cart, to the right', kind: 'length', part: 'board' },
+    { name: 'X', symbol: 'X', label: 'cart, to the right', kind: 'length', role: 'neutral' },
     {
       name: 'theta',
       symbol: 'θ',
       label: 'pendulum, from the horizontal',
       kind: 'angle',
-      part: 'front',
+      role: 'first',
       rest: Math.PI / 2,
     },
   ],
@@ -63,7 +63,7 @@ export const cartPendulumMeta = {
   constraintSets: [{ id: 'none', label: 'None: there are no constraints' }],
   inputs: [{ name: 'f_X', symbol: 'f_X', label: 'force on the cart', unit: 'N', column: { X: 1 }, tracks: ['X'] }],
   bodies: [
-    { id: 'cart', label: 'cart', part: 'board' },
-    { id: 'pendulum', label: 'pendulum', part: 'front' },
+    { id: 'cart', label: 'cart', role: 'neutral' },
+    { id: 'pendulum', label: 'pendulum', role: 'first' },
   ],
 } as const satisfies SystemMeta;

@@ -12,7 +12,7 @@ const board = 'the board’s caster';
 export const casterRotationMeta = {
   id: 'caster-rotation',
   title: 'Caster rotation',
-  coordinates: [{ name: 'theta_c', symbol: 'θ_c', label: 'caster steer', kind: 'angle', part: 'front' }],
+  coordinates: [{ name: 'theta_c', symbol: 'θ_c', label: 'caster steer', kind: 'angle', role: 'first' }],
   parameters: [
     {
       name: 'casterAngle',
@@ -87,5 +87,5 @@ export const casterRotationMeta = {
       tracks: ['theta_c'],
     },
   ],
-  bodies: [{ id: 'caster', label: 'caster', part: 'front' }],
+  bodies: [{ id: 'caster', label: 'caster', role: 'first' }],
 } as const satisfies SystemMeta;

@@ -7,5 +7,5 @@ export const casterRotationView: SystemView = {
   meta: casterRotationMeta,
   poses,
   contacts: [],
-  tracks: [{ body: 0, part: 'front' }],
+  tracks: [{ body: 0, role: 'first' }],
 };

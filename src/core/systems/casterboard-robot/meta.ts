@@ -13,11 +13,11 @@ export const casterboardRobotMeta = {
   id: 'casterboard-robot',
   title: 'Casterboard robot',
   coordinates: [
-    { name: 'x', symbol: 'x', label: 'centre, forward', kind: 'length', part: 'board' },
-    { name: 'y', symbol: 'y', label: 'centre, to the left', kind: 'length', part: 'board' },
-    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'board' },
-    { name: 'phi_f', symbol: 'φ_f', label: 'front plate, to the left', kind: 'angle', part: 'front' },
-    { name: 'phi_r', symbol: 'φ_r', label: 'rear plate, to the left', kind: 'angle', part: 'back' },
+    { name: 'x', symbol: 'x', label: 'centre, forward', kind: 'length', role: 'neutral' },
+    { name: 'y', symbol: 'y', label: 'centre, to the left', kind: 'length', role: 'neutral' },
+    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', role: 'neutral' },
+    { name: 'phi_f', symbol: 'φ_f', label: 'front plate, to the left', kind: 'angle', role: 'first' },
+    { name: 'phi_r', symbol: 'φ_r', label: 'rear plate, to the left', kind: 'angle', role: 'second' },
   ],
   parameters: [
     {
@@ -121,11 +121,11 @@ export const casterboardRobotMeta = {
     },
   ],
   bodies: [
-    { id: 'body', label: 'board', part: 'board' },
-    { id: 'front-arm', label: 'front arm', part: 'front' },
-    { id: 'rear-arm', label: 'rear arm', part: 'back' },
-    { id: 'front-wheel', label: 'front wheel', part: 'front' },
-    { id: 'rear-wheel', label: 'rear wheel', part: 'back' },
+    { id: 'body', label: 'board', role: 'neutral' },
+    { id: 'front-arm', label: 'front arm', role: 'first' },
+    { id: 'rear-arm', label: 'rear arm', role: 'second' },
+    { id: 'front-wheel', label: 'front wheel', role: 'first' },
+    { id: 'rear-wheel', label: 'rear wheel', role: 'second' },
   ],
   views: { ridden: true },
 } as const satisfies SystemMeta;

@@ -12,7 +12,7 @@ export const casterboardRobotView: SystemView = {
   poses,
   contacts: [],
   tracks: [
-    { body: 3, part: 'front' },
-    { body: 4, part: 'back' },
+    { body: 3, role: 'first' },
+    { body: 4, role: 'second' },
   ],
 };

@@ -7,9 +7,9 @@ export const chaplyginSleighMeta = {
   id: 'chaplygin-sleigh',
   title: 'Chaplygin sleigh',
   coordinates: [
-    { name: 'x', symbol: 'x', label: 'blade, forward', kind: 'length', part: 'board' },
-    { name: 'y', symbol: 'y', label: 'blade, to the left', kind: 'length', part: 'board' },
-    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'front' },
+    { name: 'x', symbol: 'x', label: 'blade, forward', kind: 'length', role: 'neutral' },
+    { name: 'y', symbol: 'y', label: 'blade, to the left', kind: 'length', role: 'neutral' },
+    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', role: 'first' },
   ],
   parameters: [
     { name: 'mass', symbol: 'm', label: 'mass', unit: 'kg', default: 1, positive: true, group: 'Sleigh', source: own },
@@ -51,6 +51,6 @@ export const chaplyginSleighMeta = {
   inputs: [
     { name: 'tau_theta', symbol: 'τ_θ', label: 'turning torque', unit: 'N·m', column: { theta: 1 }, tracks: ['theta'] },
   ],
-  bodies: [{ id: 'sleigh', label: 'sleigh', part: 'board' }],
+  bodies: [{ id: 'sleigh', label: 'sleigh', role: 'neutral' }],
   views: { ridden: true },
 } as const satisfies SystemMeta;

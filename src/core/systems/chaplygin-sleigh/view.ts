@@ -7,5 +7,5 @@ export const chaplyginSleighView: SystemView = {
   meta: chaplyginSleighMeta,
   poses,
   contacts: [],
-  tracks: [{ body: 0, part: 'board' }],
+  tracks: [{ body: 0, role: 'neutral' }],
 };

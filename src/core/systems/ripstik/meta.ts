@@ -4,27 +4,31 @@ const authors = 'model of the report’s authors';
 const degree = Math.PI / 180;
 
 /** Rows 1 and 3 are the gradients of the skate points' heights, in every set with rows. */
-const contact = { rows: [1, 3], solveFor: ['Z', 'psi'] } as const;
+const ground = {
+  rows: 4,
+  contact: { rows: [1, 3], solveFor: ['Z', 'psi'], points: 'both skate points' },
+  dependent: 'a skate lies flat',
+} as const;
 
 /** The board: five bodies, ten coordinates, four multipliers. Order and names are part of every file format. */
 export const ripstikMeta = {
   id: 'ripstik',
   title: 'RipStik (caster board)',
   coordinates: [
-    { name: 'X', symbol: 'X', label: 'rod centre, forward', kind: 'length', part: 'board' },
-    { name: 'Y', symbol: 'Y', label: 'rod centre, to the left', kind: 'length', part: 'board' },
-    { name: 'Z', symbol: 'Z', label: 'rod centre, height', kind: 'length', part: 'board' },
-    { name: 'alpha', symbol: 'α', label: 'rod roll', kind: 'angle', part: 'board' },
-    { name: 'psi', symbol: 'ψ', label: 'pitch', kind: 'angle', part: 'board' },
-    { name: 'theta', symbol: 'θ', label: 'yaw (heading)', kind: 'angle', part: 'board' },
-    { name: 'alpha_fp', symbol: 'α_fp', label: 'front plate roll on the rod', kind: 'angle', part: 'front' },
-    { name: 'alpha_bp', symbol: 'α_bp', label: 'back plate roll on the rod', kind: 'angle', part: 'back' },
-    { name: 'theta_fc', symbol: 'θ_fc', label: 'front caster steer', kind: 'angle', part: 'front' },
-    { name: 'theta_bc', symbol: 'θ_bc', label: 'back caster steer', kind: 'angle', part: 'back' },
+    { name: 'X', symbol: 'X', label: 'rod centre, forward', kind: 'length', role: 'neutral' },
+    { name: 'Y', symbol: 'Y', label: 'rod centre, to the left', kind: 'length', role: 'neutral' },
+    { name: 'Z', symbol: 'Z', label: 'rod centre, height', kind: 'length', role: 'neutral' },
+    { name: 'alpha', symbol: 'α', label: 'rod roll', kind: 'angle', role: 'neutral' },
+    { name: 'psi', symbol: 'ψ', label: 'pitch', kind: 'angle', role: 'neutral' },
+    { name: 'theta', symbol: 'θ', label: 'yaw (heading)', kind: 'angle', role: 'neutral' },
+    { name: 'alpha_fp', symbol: 'α_fp', label: 'front plate roll on the rod', kind: 'angle', role: 'first' },
+    { name: 'alpha_bp', symbol: 'α_bp', label: 'back plate roll on the rod', kind: 'angle', role: 'second' },
+    { name: 'theta_fc', symbol: 'θ_fc', label: 'front caster steer', kind: 'angle', role: 'first' },
+    { name: 'theta_bc', symbol: 'θ_bc', label: 'back caster steer', kind: 'angle', role: 'second' },
   ],
   sums: [
-    { name: 'rho_f', symbol: 'ρ_f', label: 'front plate, own roll', of: ['alpha', 'alpha_fp'], part: 'front' },
-    { name: 'rho_b', symbol: 'ρ_b', label: 'back plate, own roll', of: ['alpha', 'alpha_bp'], part: 'back' },
+    { name: 'rho_f', symbol: 'ρ_f', label: 'front plate, own roll', of: ['alpha', 'alpha_fp'], role: 'first' },
+    { name: 'rho_b', symbol: 'ρ_b', label: 'back plate, own roll', of: ['alpha', 'alpha_bp'], role: 'second' },
   ],
   parameters: [
     {
@@ -228,8 +232,8 @@ export const ripstikMeta = {
   ],
   parameterSets: { street: {}, authors: { casterTrail: -0.04 } },
   constraintSets: [
-    { id: 'rolling', label: 'Rolling: each skate moves in its own plane, on the ground', rows: 4, contact },
-    { id: 'report', label: 'As the report: no world-Y motion of the skates, on the ground', rows: 4, contact },
+    { id: 'rolling', label: 'Rolling: each skate moves in its own plane, on the ground', ...ground },
+    { id: 'report', label: 'As the report: no world-Y motion of the skates, on the ground', ...ground },
     { id: 'none', label: 'None: free bodies' },
   ],
   inputs: [
@@ -277,13 +281,24 @@ export const ripstikMeta = {
   regulators: ['tau_fc', 'tau_bc'],
   forward: { along: ['X_dot', 'Y_dot'], heading: 'theta' },
   bodies: [
-    { id: 'rod', label: 'rod', part: 'board' },
-    { id: 'front-plate', label: 'front plate', part: 'front' },
-    { id: 'back-plate', label: 'back plate', part: 'back' },
-    { id: 'front-caster', label: 'front caster', part: 'front', model: 'caster' },
-    { id: 'back-caster', label: 'back caster', part: 'back', model: 'caster' },
+    { id: 'rod', label: 'rod', role: 'neutral' },
+    { id: 'front-plate', label: 'front plate', role: 'first' },
+    { id: 'back-plate', label: 'back plate', role: 'second' },
+    { id: 'front-caster', label: 'front caster', role: 'first', model: 'caster' },
+    { id: 'back-caster', label: 'back caster', role: 'second', model: 'caster' },
   ],
   optionalForces: ['wheelDrag'],
-  touchdown: { bodies: ['front-plate', 'back-plate'], box: ['plateLength', 'plateWidth', 'plateThickness'] },
+  touchdown: {
+    bodies: ['front-plate', 'back-plate'],
+    box: ['plateLength', 'plateWidth', 'plateThickness'],
+    label: 'a corner of a plate',
+  },
+  headerless: true,
+  spoken: [
+    { label: 'position', values: [['X'], ['Y']] },
+    { label: 'heading', values: [['theta']] },
+    { label: 'front plate roll', values: [['alpha', 'alpha_fp']] },
+    { label: 'back plate roll', values: [['alpha', 'alpha_bp']] },
+  ],
   views: { ridden: true, closeUp: 'front-caster' },
 } as const satisfies SystemMeta;

@@ -7,10 +7,10 @@ export const rollingWheelMeta = {
   id: 'rolling-wheel',
   title: 'Rolling wheel',
   coordinates: [
-    { name: 'X', symbol: 'X', label: 'hub, forward', kind: 'length', part: 'board' },
-    { name: 'Y', symbol: 'Y', label: 'hub, to the left', kind: 'length', part: 'board' },
-    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', part: 'front' },
-    { name: 'phi', symbol: 'φ', label: 'rolled angle', kind: 'angle', part: 'back' },
+    { name: 'X', symbol: 'X', label: 'hub, forward', kind: 'length', role: 'neutral' },
+    { name: 'Y', symbol: 'Y', label: 'hub, to the left', kind: 'length', role: 'neutral' },
+    { name: 'theta', symbol: 'θ', label: 'heading', kind: 'angle', role: 'first' },
+    { name: 'phi', symbol: 'φ', label: 'rolled angle', kind: 'angle', role: 'second' },
   ],
   parameters: [
     {
@@ -80,6 +80,6 @@ export const rollingWheelMeta = {
     },
     { name: 'tau_phi', symbol: 'τ_φ', label: 'driving torque', unit: 'N·m', column: { phi: 1 }, tracks: ['phi'] },
   ],
-  bodies: [{ id: 'wheel', label: 'wheel', part: 'board' }],
+  bodies: [{ id: 'wheel', label: 'wheel', role: 'neutral' }],
   views: { ridden: true },
 } as const satisfies SystemMeta;

@@ -7,5 +7,5 @@ export const rollingWheelView: SystemView = {
   meta: rollingWheelMeta,
   poses,
   contacts: [],
-  tracks: [{ body: 0, part: 'board', rim: 'rho' }],
+  tracks: [{ body: 0, role: 'neutral', rim: 'rho' }],
 };

@@ -5,7 +5,7 @@ export const stiffDecayMeta = {
   id: 'stiff-decay',
   title: 'Stiff decay (y′ = −15 y)',
   order: 1,
-  coordinates: [{ name: 'y', symbol: 'y', label: 'value', kind: 'length', part: 'board', rest: 1 }],
+  coordinates: [{ name: 'y', symbol: 'y', label: 'value', kind: 'length', role: 'neutral', rest: 1 }],
   parameters: [
     {
       name: 'rate',
@@ -21,5 +21,5 @@ export const stiffDecayMeta = {
   parameterSets: {},
   constraintSets: [{ id: 'none', label: 'None: there are no constraints' }],
   inputs: [],
-  bodies: [{ id: 'marker', label: 'value as a height', part: 'board' }],
+  bodies: [{ id: 'marker', label: 'value as a height', role: 'neutral' }],
 } as const satisfies SystemMeta;

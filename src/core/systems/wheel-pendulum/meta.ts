@@ -7,14 +7,14 @@ export const wheelPendulumMeta = {
   id: 'wheel-pendulum',
   title: 'Wheel and pendulum',
   coordinates: [
-    { name: 'X', symbol: 'X', label: 'hub, forward', kind: 'length', part: 'board' },
-    { name: 'phi', symbol: 'φ', label: 'rolled angle', kind: 'angle', part: 'back' },
+    { name: 'X', symbol: 'X', label: 'hub, forward', kind: 'length', role: 'neutral' },
+    { name: 'phi', symbol: 'φ', label: 'rolled angle', kind: 'angle', role: 'second' },
     {
       name: 'psi',
       symbol: 'ψ',
       label: 'pendulum, from the horizontal',
       kind: 'angle',
-      part: 'front',
+      role: 'first',
       rest: -Math.PI / 2,
     },
   ],
@@ -89,7 +89,7 @@ export const wheelPendulumMeta = {
     { name: 'tau_phi', symbol: 'τ_φ', label: 'torque on the wheel', unit: 'N·m', column: { phi: 1 }, tracks: ['phi'] },
   ],
   bodies: [
-    { id: 'wheel', label: 'wheel', part: 'board' },
-    { id: 'pendulum', label: 'pendulum', part: 'front' },
+    { id: 'wheel', label: 'wheel', role: 'neutral' },
+    { id: 'pendulum', label: 'pendulum', role: 'first' },
   ],
 } as const satisfies SystemMeta;

@@ -65,3 +65,8 @@ export const vanDerPol = problem(2, (_t, y, out) => {
   out[1] = ((1 - y[0]! * y[0]!) * y[1]! - y[0]!) / 1e-6;
 });
 export const VAN_DER_POL_2 = 1.70616743754;
+
+/** Prothero and Robinson's: cos t, and whatever is off it dies out like exp(-1000 t). */
+export const prothero = problem(1, (t, y, out) => void (out[0] = -1000 * (y[0]! - Math.cos(t)) - Math.sin(t)), {
+  jacobian: (_t, _y, out) => ((out[0] = -1000), true),
+});

@@ -15,6 +15,7 @@ import {
   kepler,
   keplerAt,
   problem,
+  prothero,
   robertson,
   run,
   vanDerPol,
@@ -238,11 +239,6 @@ describe('step control', () => {
 });
 
 describe('stiff problems', () => {
-  /** Prothero and Robinson's: cos t, and whatever is off it dies out like exp(-1000 t). */
-  const prothero = problem(1, (t, y, out) => {
-    out[0] = -1000 * (y[0]! - Math.cos(t)) - Math.sin(t);
-  });
-
   /** Distances from cos t after each of 20 steps of 0.1, from distance 1: h lambda = -100. */
   function distances(c: Pick<Case, 'id' | 'stages'>): number[] {
     const stepper = stepperOf(c, prothero, equalSteps(c, 0.1));

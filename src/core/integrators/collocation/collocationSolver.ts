@@ -23,15 +23,23 @@ const MOST_ITERATIONS = 7;
 /** One more for the fourth stage and so on, as the larger system converges later. */
 const MORE_PER_STAGE = 1;
 /**
- * What Newton's method may leave, in units of the tolerance. Section IV.8 advises 1e-1 to 1e-2; but in equations of second
- * order positions and velocities take turns at converging, and the rate seen last may be ten times below the next.
+ * What Newton's method may leave, in units of the tolerance: section IV.8 advises 1e-1 to 1e-2. It is left in the same
+ * direction step after step, and the sharper the tolerance, the more steps there are and the less else there is; RADAU5
+ * and SciPy go down with the square root of rtol. Measured: docs/decisions/newton-constants.md.
  */
-const KAPPA = 1e-3;
+const kappa = (rtol: number): number => Math.min(2e-2, Math.max(1e-3, 0.1 * Math.pow(rtol, 0.2)));
+/** In equal steps, in units of the accuracy that equations without a tolerance are solved to. */
+const KAPPA_EQUAL_STEPS = 1e-3;
 /** A Jacobian is kept while an iteration wins this factor: a new one costs as much as one or two iterations. */
-const REUSE_BELOW = 0.02;
+const REUSE_BELOW = 0.05;
 /** Factors serve steps up to so many times longer or shorter than that they were made for, while they converge. */
 const STRETCH = 2;
 const STRETCH_IF_SLOW = 1.1;
+/**
+ * A rate of convergence belongs to its factors: what is stiff converges like |1 - h / h_f| with factors for h_f. It is
+ * measured anew where h is further from h_f by this factor than where it was measured.
+ */
+const RATE_HOLDS = 1.02;
 /** The last polynomial says nothing of a step that reaches further than this many of its own. */
 const REACH = 4;
 
@@ -53,6 +61,8 @@ export class CollocationSolver {
   private current = false;
   /** The last polynomial may start Newton's method. */
   private guess = false;
+  /** How far h was from that of the factors, as a factor of at least 1, when the rate of convergence was last measured. */
+  private ratedAt = 1;
   private t = 0;
   private h = 0;
   private y: Float64Array;
@@ -67,7 +77,7 @@ export class CollocationSolver {
     this.newton = new SimplifiedNewton(
       this.controlled ? MOST_ITERATIONS + MORE_PER_STAGE * Math.max(0, s - 3) : PATIENT_ITERATIONS,
     );
-    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / rtol, KAPPA) : KAPPA;
+    this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / rtol, kappa(rtol)) : KAPPA_EQUAL_STEPS;
     this.floor = this.controlled ? Math.min(0.1, roundingFloor(rtol)) : roundingFloor();
     this.jacobian = new Jacobian(problem, counters);
     this.stages = new StageEquations(problem, counters, tableau);
@@ -79,6 +89,7 @@ export class CollocationSolver {
   reset(): void {
     this.factoredFor = 0;
     this.known = this.current = this.guess = false;
+    this.ratedAt = 1;
     this.newton.reset();
   }
 
@@ -124,8 +135,11 @@ export class CollocationSolver {
     trial.y0.set(y);
     this.predict(trial, last, ratio);
     // In equal steps no rate is carried over: what is left at the end of one iteration is not looked at again.
-    if (!this.controlled) this.newton.reset();
-    return this.newton.solve(this.correct, this.tolerance, this.floor);
+    const apart = Math.max(h / this.factoredFor, this.factoredFor / h);
+    if (!this.controlled || apart > RATE_HOLDS * this.ratedAt) this.newton.reset();
+    const outcome = this.newton.solve(this.correct, this.tolerance, this.floor);
+    if (this.newton.iterations > 1) this.ratedAt = apart;
+    return outcome;
   }
 
   /**

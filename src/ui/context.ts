@@ -8,6 +8,7 @@ import type { CaseInfo } from '../app/state/cases.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { SystemView } from '../core/model/system.ts';
 import { sameContent } from '../app/state/draft.ts';
+import { labelOf, titleOf, type Command } from '../app/commands.ts';
 import type { Feature, Tool } from './feature.ts';
 
 export interface MethodChoice {
@@ -29,6 +30,8 @@ export interface Ui {
   features: readonly Feature[];
   /** The places to work in beside the scene, each under its feature's id. */
   tools: readonly (Tool & { id: string })[];
+  /** All that can be asked for by button, menu or key. */
+  commands: readonly Command[];
   /** The case the draft came from; fields are compared with it. */
   origin: ReadonlySignal<CaseInfo | null>;
   /** Rises when the draft is replaced as a whole: fields then forget rejected text. */
@@ -46,11 +49,34 @@ export function useUi(): Ui {
   return ui;
 }
 
+/** A command as a button or a menu shows it. */
+export interface ShownCommand {
+  label: string;
+  /** The label, or more words, with the key. */
+  title: string;
+  disabled: boolean;
+  perform(): void;
+}
+
+/** @throws Error when there is no such command */
+export function useCommand(id: string): ShownCommand {
+  const { app, commands } = useUi();
+  const command = commands.find((one) => one.id === id);
+  if (!command) throw new Error(`no command is called '${id}'`);
+  return {
+    label: labelOf(command, app),
+    title: titleOf(command, app),
+    disabled: !(command.enabled?.(app) ?? true),
+    perform: () => command.perform?.(app),
+  };
+}
+
 export function createUi(
   app: App,
   methods: readonly MethodChoice[],
   formulations: readonly FormulationChoice[],
   features: readonly Feature[],
+  commands: readonly Command[],
   origin?: ReadonlySignal<CaseInfo | null>,
 ): Ui {
   const epoch = signal(0);
@@ -60,6 +86,7 @@ export function createUi(
     formulations,
     features,
     tools: features.flatMap(({ id, tool }) => (tool ? [{ id, ...tool }] : [])),
+    commands,
     epoch,
     origin: origin ?? lastMatchingCase(app),
     rejected: signal<ReadonlyMap<string, string>>(new Map()),

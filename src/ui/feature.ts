@@ -4,6 +4,7 @@
  */
 import type { ComponentType } from 'preact';
 import type { App } from '../app/app.ts';
+import type { Command } from '../app/commands.ts';
 import type { IconName } from './kit/controls.tsx';
 
 /** A place to work in beside the scene: one entry of the rail, one tab of the phone's sheet. */
@@ -15,13 +16,6 @@ export interface Tool {
   /** Stays as it is while another tool is shown; else it begins anew. */
   keep?: boolean;
   Body: ComponentType;
-}
-
-/** A key that means the same wherever no field, menu or dialog has the focus. */
-export interface KeyCommand {
-  /** As `KeyboardEvent.key` has it, letters in lower case. */
-  key: string;
-  run(app: App): void;
 }
 
 export interface Feature {
@@ -54,9 +48,8 @@ export interface Feature {
   dialog?: ComponentType;
   /** Under the sheet of keys; `close` closes the sheet. */
   help?: ComponentType<{ close(): void }>;
-  commands?: readonly KeyCommand[];
-  /** Rows of the sheet of keys: the keys, and what they do. */
-  keys?: readonly (readonly [string, string])[];
+  /** What it adds to the page's commands, and their keys to the sheet. */
+  commands?: readonly Command[];
 }
 
 /** Slots that hold a component without properties. */

@@ -16,6 +16,7 @@ import { methods } from '../../src/core/integrators/methods.ts';
 import { Trajectory } from '../../src/core/motion/trajectory.ts';
 import { checkScenario } from '../../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../../src/core/scenario/types.ts';
+import { commandsOf } from '../../src/ui/shell/commands.ts';
 import { createUi, UiContext, type Ui } from '../../src/ui/context.ts';
 import type { Feature } from '../../src/ui/feature.ts';
 import { runOf } from '../helpers.ts';
@@ -69,6 +70,6 @@ export function draw(
   node: ComponentChild,
   { app = testApp(), features = [] }: { app?: App; features?: readonly Feature[] } = {},
 ): RenderResult & { app: App; ui: Ui } {
-  const ui = createUi(app, methods, formulations, features, app.state.origin);
+  const ui = createUi(app, methods, formulations, features, commandsOf(features), app.state.origin);
   return { ...render(<UiContext.Provider value={ui}>{node}</UiContext.Provider>), app, ui };
 }

@@ -14,6 +14,12 @@ export const compare: Feature = {
     Body: later(async () => (await import('./compareTool.tsx')).CompareTool),
   },
   runStatus: PinRun,
-  commands: [{ key: 'b', run: ({ pinned }) => void pinned.pin() }],
-  keys: words.keys,
+  commands: [
+    {
+      id: 'pin',
+      label: words.keep,
+      keys: [{ key: 'b', line: { what: words.pinKey } }],
+      perform: ({ pinned }) => void pinned.pin(),
+    },
+  ],
 };

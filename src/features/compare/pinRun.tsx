@@ -1,14 +1,15 @@
 /** In the status line: pins the run that has ended, or says that it is pinned. */
-import { useUi } from '../../ui/context.ts';
+import { useCommand, useUi } from '../../ui/context.ts';
 import { words } from './words.ts';
 
 export function PinRun() {
   const { pinned } = useUi().app;
+  const pin = useCommand('pin');
   return pinned.ofStage() ? (
     <span>{words.pinned}</span>
   ) : (
-    <button type="button" class="link" data-testid="status-keep" onClick={() => pinned.pin()}>
-      {words.keep}
+    <button type="button" class="link" data-testid="status-keep" onClick={pin.perform}>
+      {pin.label}
     </button>
   );
 }

@@ -2,7 +2,7 @@
 export const words = {
   open: 'Compare',
   pinned: 'kept',
-  keys: [['B', 'keep this run, to compare with']],
+  pinKey: 'keep this run, to compare with',
   parts: { runs: 'Runs', sweep: 'Sweep' },
   part: 'What to compare',
   empty: 'Keep a run or a file (B), change something, run again: both stand here over one time axis.',

@@ -3,27 +3,28 @@ import { useEffect, useId, useMemo, useRef, useState } from 'preact/hooks';
 import { createKeyboardPusher, type Force, type KeyboardPush } from '../../app/push/keyboardPush.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import './pushPad.css';
+import { commandFor } from '../../app/commands.ts';
+import { padCommands, wayOf, ways, type Way } from './commands.ts';
 import { words as text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon, type IconName } from '../../ui/kit/controls.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
 
-type Way = keyof typeof text.ways;
-
-const WAYS: Readonly<Record<Way, { force: Force; key: string; icon: IconName }>> = {
-  ahead: { force: [1, 0, 0], key: 'ArrowUp', icon: 'up' },
-  back: { force: [-1, 0, 0], key: 'ArrowDown', icon: 'below' },
-  left: { force: [0, 1, 0], key: 'ArrowLeft', icon: 'before' },
-  right: { force: [0, -1, 0], key: 'ArrowRight', icon: 'after' },
-  up: { force: [0, 0, 1], key: 'PageUp', icon: 'raise' },
-  down: { force: [0, 0, -1], key: 'PageDown', icon: 'lower' },
+const WAYS: Readonly<Record<Way, { force: Force; icon: IconName }>> = {
+  ahead: { force: [1, 0, 0], icon: 'up' },
+  back: { force: [-1, 0, 0], icon: 'below' },
+  left: { force: [0, 1, 0], icon: 'before' },
+  right: { force: [0, -1, 0], icon: 'after' },
+  up: { force: [0, 0, 1], icon: 'raise' },
+  down: { force: [0, 0, -1], icon: 'lower' },
 };
 
 /** What a person would push first: the first of two like bodies, else the first body. */
 const firstOf = ({ bodies }: SystemMeta): string => (bodies.find(({ role }) => role === 'first') ?? bodies[0]!).id;
 
 export function PushPad() {
-  const { state, actions } = useUi().app;
+  const { app } = useUi();
+  const { state, actions } = app;
   const pusher = useMemo(() => createKeyboardPusher(state, actions), []);
   const meta = state.motion.value!.system.meta;
   const [chosen, choose] = useState(() => firstOf(meta));
@@ -39,13 +40,11 @@ export function PushPad() {
     };
   }, []);
   const onKeyDown = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const way =
-      event.target instanceof HTMLSelectElement
-        ? undefined
-        : (Object.keys(WAYS) as Way[]).find((one) => WAYS[one].key === event.key);
+    const command = commandFor(padCommands, event, app, 'push-pad');
+    const way = command && wayOf(command);
+    // The list of bodies keeps its arrows.
+    if (!command || (way && event.target instanceof HTMLSelectElement)) return;
     if (way) pusher.press(body, WAYS[way].force);
-    else if (event.key !== 'Escape') return;
     else if (pusher.current.peek()) pusher.release();
     else {
       toggle()?.focus();
@@ -66,7 +65,7 @@ export function PushPad() {
         onKeyDown={onKeyDown}
       >
         <div class="push-keys">
-          {(Object.keys(WAYS) as Way[]).map((way) => (
+          {ways.map((way) => (
             <button
               key={way}
               type="button"

@@ -1,9 +1,8 @@
 /** The switch of pushing, and the pad that stands over the views while it is on. */
 import { canPush } from '../../app/push/pointerPush.ts';
-import { useUi } from '../../ui/context.ts';
+import { useCommand, useUi } from '../../ui/context.ts';
 import { Toggle } from '../../ui/kit/controls.tsx';
 import { later } from '../../ui/kit/later.tsx';
-import { words } from './words.ts';
 
 const PushPad = later(async () => (await import('./pushPad.tsx')).PushPad);
 
@@ -13,16 +12,12 @@ export function PushSlot() {
 }
 
 export function PushSwitch() {
-  const { state, actions } = useUi().app;
-  if (!canPush(state.motion.value)) return null;
+  const { state } = useUi().app;
+  const { label, title, disabled, perform } = useCommand('push');
+  if (disabled) return null;
   return (
-    <Toggle
-      pressed={state.dragPushes.value}
-      title={`${words.pushTitle} (G)`}
-      testId="toggle-push"
-      onClick={() => actions.toggle('dragPushes')}
-    >
-      {words.push}
+    <Toggle pressed={state.dragPushes.value} title={title} testId="toggle-push" onClick={perform}>
+      {label}
     </Toggle>
   );
 }

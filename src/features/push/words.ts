@@ -2,10 +2,8 @@
 export const words = {
   push: 'Push',
   pushTitle: 'Drag a body to pull at it; Shift and drag does it at any time',
-  keys: [
-    ['Shift drag', 'pull at a body of a run'],
-    ['G', 'the same by keys: arrows, Page Up and Page Down push, Escape lets go'],
-  ],
+  dragKey: 'pull at a body of a run',
+  switchKey: 'the same by keys: arrows, Page Up and Page Down push, Escape lets go',
   title: 'Push by keys',
   body: 'Body',
   hint: 'Arrows, Page Up and Page Down; Escape lets go',

@@ -2,7 +2,9 @@
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { evaluateNumber } from '../../core/scenario/expressions.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
+import { commandFor } from '../../app/commands.ts';
 import { setRejected, useUi } from '../context.ts';
+import { fieldCommands } from './fieldCommands.ts';
 import { formatField, naturalStep, nudge, parseField, storedFromShown, toShown } from './format.ts';
 import type { FieldRules } from './format.ts';
 
@@ -88,10 +90,12 @@ export function useNumberField(spec: NumberSpec) {
     } else if (event.key === 'Escape' && (typed !== null || error)) {
       event.stopPropagation();
       settle(null, null);
-    } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+    } else {
+      const stepping = commandFor(fieldCommands, event, ui.app, 'field');
+      if (!stepping) return;
       event.preventDefault();
       const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
-      move(shownNow(), event.key === 'ArrowUp' ? factor : -factor);
+      move(shownNow(), stepping.id === 'value-up' ? factor : -factor);
     }
   };
 

@@ -3,6 +3,9 @@ export const words = {
   close: 'Close',
   differs: (name: string) => `${name} differs from the case: set it back`,
   scrub: 'Drag to change',
+  stepValue: 'step the value; Shift ×10, Alt ÷10',
+  valueUp: 'Step up',
+  valueDown: 'Step down',
   loading: 'Loading',
   failed: 'This part could not be loaded; check the connection and open it again.',
 } as const;

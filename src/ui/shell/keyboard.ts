@@ -1,37 +1,38 @@
-/** The page's keys. Fields, menus and dialogs keep theirs. */
+/** The page's keys, which ask for its commands. Fields, menus and dialogs keep theirs. */
 import { useEffect } from 'preact/hooks';
-import { speeds } from '../../app/state/playbackClock.ts';
-import type { App } from '../../app/app.ts';
+import { commandFor } from '../../app/commands.ts';
 import type { Ui } from '../context.ts';
-import { viewsOf } from '../../app/runs/views.ts';
-import { timelineOf } from '../stage/timeline.ts';
-
-const JUMP = 0.1;
 
 export function useKeyboard(ui: Ui): void {
   useEffect(() => {
-    const onKeyDown = (event: KeyboardEvent) => {
-      if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
-      if (event.key === 'Enter' && (event.ctrlKey || event.metaKey || runsOnEnter(event.target))) {
-        // after the field has taken the key and what it led to has been drawn
-        setTimeout(() => {
-          if (!refused(event.target)) ui.app.actions.run();
-        });
-        return;
-      }
-      if (
-        event.ctrlKey ||
-        event.metaKey ||
-        event.altKey ||
-        typing(event.target) ||
-        (event.key === ' ' && pressing(event.target))
-      )
-        return;
-      if (act(ui, event.key, event.shiftKey)) event.preventDefault();
-    };
+    const onKeyDown = (event: KeyboardEvent) => press(ui, event);
     window.addEventListener('keydown', onKeyDown);
     return () => window.removeEventListener('keydown', onKeyDown);
   }, []);
+}
+
+type Press = Pick<
+  KeyboardEvent,
+  'key' | 'shiftKey' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target' | 'defaultPrevented' | 'preventDefault'
+>;
+
+export function press({ app, commands }: Pick<Ui, 'app' | 'commands'>, event: Press): void {
+  if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
+  const { target } = event;
+  if (event.ctrlKey || event.metaKey || runsOnEnter(target)) {
+    const command = commandFor(commands, event, app, runsOnEnter(target) ? 'field' : undefined);
+    // after the field has taken the key and what it led to has been drawn
+    if (command?.perform)
+      setTimeout(() => {
+        if (!refused(target)) command.perform!(app);
+      });
+    return;
+  }
+  if (typing(target) || (event.key === ' ' && pressing(target))) return;
+  const command = commandFor(commands, event, app);
+  if (!command?.perform) return;
+  command.perform(app);
+  event.preventDefault();
 }
 
 /** Enter in a field runs the experiment where its part of the page says so; elsewhere a field only takes its value. */
@@ -59,66 +60,4 @@ function pressing(target: EventTarget | null): boolean {
     target instanceof HTMLElement &&
     (/^(BUTTON|SUMMARY|A)$/.test(target.tagName) || (target instanceof HTMLInputElement && target.type === 'checkbox'))
   );
-}
-
-/** Returns whether the key meant something. */
-export function act({ app, features }: Ui, key: string, shift: boolean): boolean {
-  const { state, actions } = app;
-  const line = timelineOf(state.motion.peek(), state.run.peek());
-  const seek = (time: number) => actions.seek(Math.min(line.available, Math.max(line.start, time)));
-  const along = (sign: 1 | -1) => (shift ? seek(state.time.peek() + sign * JUMP) : actions.stepRows(sign));
-  const does: Record<string, () => void> = {
-    ' ': actions.togglePlaying,
-    ArrowLeft: () => along(-1),
-    ArrowRight: () => along(1),
-    ',': () => actions.stepRows(-1),
-    '.': () => actions.stepRows(1),
-    Home: () => seek(line.start),
-    End: () => seek(line.available),
-    j: () => slowerOrFaster(app, -1),
-    k: actions.pause,
-    l: () => slowerOrFaster(app, 1),
-    f: () => {
-      actions.toggle('follow');
-    },
-    p: () => {
-      actions.toggle('showInset');
-    },
-    n: () => {
-      actions.toggle('showNames');
-    },
-    a: () => {
-      actions.toggle('showFrames');
-    },
-    '?': () => {
-      actions.openDialog('keys');
-    },
-  };
-  const view = viewsOf((state.motion.peek()?.system ?? app.systemOf(state.draft.peek().system))?.meta.views).get(key);
-  const name = key.length === 1 ? key.toLowerCase() : key;
-  const command = features.flatMap(({ commands }) => commands ?? []).find((one) => one.key === name);
-  const run =
-    does[name] ??
-    (command && (() => command.run(app))) ??
-    (view &&
-      (() => {
-        actions.set('view', view);
-      }));
-  run?.();
-  return run !== undefined;
-}
-
-/** L plays, then speeds up; J plays or goes on, one speed slower. */
-function slowerOrFaster({ state, actions }: App, way: 1 | -1): void {
-  if (state.playing.peek()) {
-    const now = state.speed.peek();
-    const next = way > 0 ? speeds.find((s) => s > now) : [...speeds].reverse().find((s) => s < now);
-    if (next !== undefined) actions.set('speed', next);
-  } else if (way < 0) {
-    const slower = [...speeds].reverse().find((s) => s < state.speed.peek());
-    if (slower !== undefined) actions.set('speed', slower);
-    actions.play();
-  } else {
-    actions.play();
-  }
 }

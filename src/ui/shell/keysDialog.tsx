@@ -1,17 +1,18 @@
 /** The sheet of keys, with what a feature offers beside them. */
 import { text as storedText } from '../../app/words.ts';
+import { sheetOf } from '../../app/commands.ts';
 import { useUi } from '../context.ts';
 import { Dialog } from '../kit/dialog.tsx';
 import { text } from '../words.ts';
 
 export function KeysDialog({ onForget }: { onForget?: (() => void) | undefined }) {
-  const { app, features } = useUi();
+  const { app, features, commands } = useUi();
   const close = app.actions.closeDialog;
   if (app.state.dialog.value !== 'keys') return null;
   return (
     <Dialog title={text.top.keys} testId="keys-dialog" onClose={close}>
       <dl class="keys">
-        {[...text.keys, ...features.flatMap((feature) => feature.keys ?? []), ...text.fieldKeys].map(([keys, what]) => (
+        {sheetOf(commands).map(([keys, what]) => (
           <div key={keys}>
             <dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt>
             <dd>{what}</dd>

@@ -5,6 +5,7 @@ import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { App } from '../../app/app.ts';
 import type { CaseInfo } from '../../app/state/cases.ts';
 import { Announcer } from './announcer.tsx';
+import { commandsOf } from './commands.ts';
 import { createUi, UiContext } from '../context.ts';
 import type { FormulationChoice, MethodChoice } from '../context.ts';
 import type { Feature } from '../feature.ts';
@@ -52,7 +53,7 @@ export function Shell({
   features,
   onForget,
 }: ShellProps) {
-  const ui = useMemo(() => createUi(app, methods, formulations, features, origin), [app]);
+  const ui = useMemo(() => createUi(app, methods, formulations, features, commandsOf(features), origin), [app]);
   const phone = useMedia(PHONE);
   useTheme(app);
   useKeyboard(ui);

@@ -1,11 +1,11 @@
-import { useUi } from '../context.ts';
+import { useCommand, useUi } from '../context.ts';
 import { Icon } from '../kit/controls.tsx';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
 export function TopBar() {
-  const { state, actions } = useUi().app;
-  const theme = state.theme.value;
+  const theme = useUi().app.state.theme.value;
+  const [changeTheme, showKeys] = [useCommand('theme'), useCommand('keys')];
   return (
     <header class="top">
       <h1 class="wordmark">{text.name}</h1>
@@ -16,9 +16,9 @@ export function TopBar() {
         type="button"
         class="quiet square"
         data-testid="theme"
-        aria-label={text.top.theme(theme)}
-        title={text.top.theme(theme)}
-        onClick={() => actions.set('theme', theme === 'dark' ? 'light' : 'dark')}
+        aria-label={changeTheme.label}
+        title={changeTheme.title}
+        onClick={changeTheme.perform}
       >
         <Icon name={theme === 'dark' ? 'light' : 'dark'} />
       </button>
@@ -26,9 +26,9 @@ export function TopBar() {
         type="button"
         class="quiet square help"
         data-testid="keys"
-        aria-label={text.top.keys}
-        title={`${text.top.keys} (?)`}
-        onClick={() => actions.openDialog('keys')}
+        aria-label={showKeys.label}
+        title={showKeys.title}
+        onClick={showKeys.perform}
       >
         ?
       </button>

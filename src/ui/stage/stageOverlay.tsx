@@ -1,7 +1,8 @@
 /** What lies over the scene: view buttons, switches, one line of what to look at. */
 import type { ReadonlySignal } from '@preact/signals';
 import { viewsOf } from '../../app/runs/views.ts';
-import { useUi } from '../context.ts';
+import type { ViewName } from '../../app/state/settingsTable.ts';
+import { useCommand, useUi } from '../context.ts';
 import { Toggle } from '../kit/controls.tsx';
 import { Slot } from '../slot.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
@@ -10,7 +11,7 @@ import { text } from '../words.ts';
 
 export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string | null> }) {
   const ui = useUi();
-  const { state, actions } = ui.app;
+  const { state } = ui.app;
   const motion = state.motion.value;
   const origin = ui.origin.value;
   const system = motion?.system ?? ui.system.value;
@@ -41,51 +42,39 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
       <div class="views">
         <Slot name="stagePad" />
         <div class="segments" role="group" aria-label={text.view.label}>
-          {[...viewsOf(system?.meta.views)].map(([key, view]) => (
-            <Toggle
-              key={view}
-              pressed={state.view.value === view}
-              title={`${text.view.names[view]} (${key})`}
-              testId={`view-${view}`}
-              onClick={() => actions.set('view', view)}
-            >
-              {text.view.names[view]}
-            </Toggle>
+          {viewsOf(system?.meta.views).map((view) => (
+            <ViewButton key={view} view={view} />
           ))}
         </div>
         <div class="view-switches">
           <div class="segments" role="group" aria-label={text.view.switches}>
-            <Toggle
-              pressed={state.follow.value}
-              title={`${text.view.follow} (F)`}
-              testId="toggle-follow"
-              onClick={() => actions.toggle('follow')}
-            >
-              {text.view.follow}
-            </Toggle>
-            {tracked && (
-              <Toggle
-                pressed={state.showTrails.value}
-                testId="toggle-trails"
-                onClick={() => actions.toggle('showTrails')}
-              >
-                {text.view.trails}
-              </Toggle>
-            )}
-            {forced && (
-              <Toggle
-                pressed={state.showForces.value}
-                testId="toggle-forces"
-                onClick={() => actions.toggle('showForces')}
-              >
-                {text.view.forces}
-              </Toggle>
-            )}
+            <SwitchButton id="follow" pressed={state.follow.value} titled />
+            {tracked && <SwitchButton id="trails" pressed={state.showTrails.value} />}
+            {forced && <SwitchButton id="forces" pressed={state.showForces.value} />}
             <Slot name="stageSwitch" />
           </div>
           <ViewMenu closeUp={closeUp} ridden={system?.meta.views?.ridden ?? false} forced={forced} />
         </div>
       </div>
     </>
+  );
+}
+
+function ViewButton({ view }: { view: ViewName }) {
+  const { label, title, perform } = useCommand(`view-${view}`);
+  const pressed = useUi().app.state.view.value === view;
+  return (
+    <Toggle pressed={pressed} title={title} testId={`view-${view}`} onClick={perform}>
+      {label}
+    </Toggle>
+  );
+}
+
+function SwitchButton({ id, pressed, titled = false }: { id: string; pressed: boolean; titled?: boolean }) {
+  const { label, title, perform } = useCommand(id);
+  return (
+    <Toggle pressed={pressed} {...(titled ? { title } : {})} testId={`toggle-${id}`} onClick={perform}>
+      {label}
+    </Toggle>
   );
 }

@@ -1,67 +1,52 @@
 /** Playback: the same for a live run and a file. */
 import { useComputed } from '@preact/signals';
 import { speeds } from '../../app/state/playbackClock.ts';
-import { useUi } from '../context.ts';
-import { Icon, Toggle } from '../kit/controls.tsx';
+import { useCommand, useUi } from '../context.ts';
+import { Icon, Toggle, type IconName } from '../kit/controls.tsx';
 import { formatSpeed, formatTime, THIN } from '../kit/format.ts';
 import { Scrubber } from './scrubber.tsx';
 import { text } from '../words.ts';
 
 export function Transport() {
-  const { state, actions } = useUi().app;
-  const playing = state.playing.value;
-  const empty = state.motion.value === null;
-  const words = text.transport;
+  const playing = useUi().app.state.playing.value;
   return (
-    <section id="playback" class="transport" tabIndex={-1} aria-label={words.label}>
+    <section id="playback" class="transport" tabIndex={-1} aria-label={text.transport.label}>
       <div class="transport-keys">
-        <button
-          type="button"
-          class="quiet square"
-          data-testid="step-back"
-          aria-label={words.back}
-          title={`${words.back} (←)`}
-          disabled={empty}
-          onClick={() => actions.stepRows(-1)}
-        >
-          <Icon name="back" />
-        </button>
-        <button
-          type="button"
-          class="quiet square play"
-          data-testid="play"
-          aria-label={playing ? words.pause : words.play}
-          title={`${playing ? words.pause : words.play} (Space)`}
-          disabled={empty}
-          onClick={() => actions.togglePlaying()}
-        >
-          <Icon name={playing ? 'pause' : 'play'} />
-        </button>
-        <button
-          type="button"
-          class="quiet square"
-          data-testid="step-forward"
-          aria-label={words.forward}
-          title={`${words.forward} (→)`}
-          disabled={empty}
-          onClick={() => actions.stepRows(1)}
-        >
-          <Icon name="forward" />
-        </button>
+        <KeyButton id="step-back" icon="back" />
+        <KeyButton id="play" icon={playing ? 'pause' : 'play'} />
+        <KeyButton id="step-forward" icon="forward" />
       </div>
       <TimeNow />
       <Scrubber />
       <Speed />
-      <Toggle
-        pressed={state.loop.value}
-        label={words.loop}
-        title={words.loop}
-        testId="loop"
-        onClick={() => actions.toggle('loop')}
-      >
-        <Icon name="loop" />
-      </Toggle>
+      <LoopButton />
     </section>
+  );
+}
+
+function KeyButton({ id, icon }: { id: string; icon: IconName }) {
+  const { label, title, disabled, perform } = useCommand(id);
+  return (
+    <button
+      type="button"
+      class={`quiet square${id === 'play' ? ' play' : ''}`}
+      data-testid={id}
+      aria-label={label}
+      title={title}
+      disabled={disabled}
+      onClick={perform}
+    >
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+function LoopButton() {
+  const { label, title, perform } = useCommand('loop');
+  return (
+    <Toggle pressed={useUi().app.state.loop.value} label={label} title={title} testId="loop" onClick={perform}>
+      <Icon name="loop" />
+    </Toggle>
   );
 }
 

@@ -2,7 +2,7 @@
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { FORCE_SCALES, scaleIndex } from '../../app/state/forceScale.ts';
 import type { Quality } from '../../app/state/settingsTable.ts';
-import { useUi } from '../context.ts';
+import { useCommand, useUi } from '../context.ts';
 import { Check, Choice, Icon } from '../kit/controls.tsx';
 import { formatShort, THIN } from '../kit/format.ts';
 import { text } from '../words.ts';
@@ -55,34 +55,10 @@ export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden
         <Icon name="down" />
       </button>
       <div id={id} class="view-menu-body" role="group" aria-label={words.menu} hidden={!open}>
-        <Check
-          label={words.names}
-          checked={state.showNames.value}
-          testId="look-names"
-          onChange={(on) => actions.set('showNames', on)}
-        />
-        <Check
-          label={words.frames}
-          checked={state.showFrames.value}
-          testId="look-frames"
-          onChange={(on) => actions.set('showFrames', on)}
-        />
-        {closeUp && (
-          <Check
-            label={words.inset}
-            checked={state.showInset.value}
-            testId="look-inset"
-            onChange={(on) => actions.set('showInset', on)}
-          />
-        )}
-        {ridden && state.view.value === 'rider' && (
-          <Check
-            label={words.level}
-            checked={state.levelHorizon.value}
-            testId="look-level"
-            onChange={(on) => actions.set('levelHorizon', on)}
-          />
-        )}
+        <CheckOf id="names" checked={state.showNames.value} />
+        <CheckOf id="frames" checked={state.showFrames.value} />
+        {closeUp && <CheckOf id="inset" checked={state.showInset.value} />}
+        {ridden && state.view.value === 'rider' && <CheckOf id="level" checked={state.levelHorizon.value} />}
         {forced && <ForceScale />}
         <Choice
           label={words.quality}
@@ -120,4 +96,9 @@ function ForceScale() {
       />
     </div>
   );
+}
+
+function CheckOf({ id, checked }: { id: string; checked: boolean }) {
+  const { title, perform } = useCommand(id);
+  return <Check label={title} checked={checked} testId={`look-${id}`} onChange={perform} />;
 }

@@ -15,7 +15,9 @@ export default defineConfig({
   testDir: '.',
   testMatch: ['tests/browser/**/*.spec.ts', 'src/features/**/*.spec.ts'],
   outputDir: '.cache/browser-results',
-  workers: 1,
+  // Each test has a page of its own and waits for what it needs, never for a time: any two may run beside each other.
+  fullyParallel: true,
+  workers: 2,
   retries: process.env.CI ? 1 : 0,
   forbidOnly: Boolean(process.env.CI),
   timeout: 180_000, // software WebGL on two cores; no test asserts a time

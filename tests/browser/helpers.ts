@@ -42,6 +42,21 @@ export interface Watch {
 
 /** Opens the page and waits until the first run stands on the stage, drawn. Everything that goes wrong is in the answer. `before` runs in the page before its own code. */
 export async function openPage(page: Page, before: () => unknown = () => undefined): Promise<Watch> {
+  const watch = await open(page, before);
+  await expect
+    .poll(() => page.evaluate(() => window.ripstikScene?.stats().bodies ?? 0), 'bodies on the stage')
+    .toBe(BODIES);
+  await drawn(page);
+  return watch;
+}
+
+/** The same for tests of numbers and words, in which nothing depends on the picture: there is none. */
+export async function openWithoutScene(page: Page): Promise<Watch> {
+  await withoutScene(page);
+  return open(page, () => undefined);
+}
+
+async function open(page: Page, before: () => unknown): Promise<Watch> {
   const watch: Watch = { errors: [], foreign: [] };
   page.on('pageerror', (error) => watch.errors.push(String(error)));
   page.on('console', (message) => {
@@ -61,10 +76,6 @@ export async function openPage(page: Page, before: () => unknown = () => undefin
   });
   await page.goto('./');
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
-  await expect
-    .poll(() => page.evaluate(() => window.ripstikScene?.stats().bodies ?? 0), 'bodies on the stage')
-    .toBe(BODIES);
-  await drawn(page);
   return watch;
 }
 

@@ -8,6 +8,7 @@ import {
   measured,
   numberIn,
   openPage,
+  openWithoutScene,
   pause,
   seek,
   type as typeInto,
@@ -23,7 +24,7 @@ const LONG = '100000';
 
 for (const id of ['released', 'falling-ground']) {
   test(`a live falling run (${id}) streams, ends at touchdown and is exported`, async ({ page }) => {
-    const watch = await openPage(page);
+    const watch = await openWithoutScene(page);
     await chooseCase(page, id);
     await ended(page, 2, 'touchdown');
     await pause(page);
@@ -69,7 +70,7 @@ for (const id of ['released', 'falling-ground']) {
 }
 
 test('a long run is cancelled at once, keeps its rows, and the next run replaces it', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await chooseCase(page, 'hanging');
   await ended(page, 2, 'end');
   await typeInto(page, 'duration', LONG);

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, ended, numberIn, openPage, type as typeIn, VIEWPORT } from '../../../tests/browser/helpers.ts';
+import { chooseCase, ended, numberIn, openWithoutScene, type as typeIn, VIEWPORT } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -18,7 +18,7 @@ async function ready(page: Page): Promise<void> {
 }
 
 test('the upright board: at rest, at 1 m/s, its orders, a point that is none', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await chooseCase(page, 'released');
   await ended(page, 2, 'touchdown');
   await page.getByTestId('tool-analysis').click();
@@ -74,7 +74,7 @@ test('the upright board: at rest, at 1 m/s, its orders, a point that is none', a
 test('a balanced board: closed loop, gains as JSON, root locus computed, walked, cancelled, saved', async ({
   page,
 }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await chooseCase(page, 'balanced');
   await ended(page, 2, 'end');
   await page.getByTestId('tool-analysis').click();

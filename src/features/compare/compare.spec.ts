@@ -9,6 +9,7 @@ import {
   ended,
   numberIn,
   openPage,
+  openWithoutScene,
   pause,
 } from '../../../tests/browser/helpers.ts';
 
@@ -93,7 +94,7 @@ test('runs are kept, overlaid, subtracted and shown as ghosts; a file stands bes
 });
 
 test('a sweep over one number and over two: curve, map, table, cancel, and back into the panel', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   const id = (name: string) => page.getByTestId(name);
   await chooseCase(page, 'released');
   await ended(page, 2, 'touchdown');

@@ -6,7 +6,7 @@ import {
   drop,
   ended,
   exportCsv,
-  openPage,
+  openWithoutScene,
   seek,
   VIEWPORT,
 } from '../../../tests/browser/helpers.ts';
@@ -35,7 +35,7 @@ async function openSection(page: Page, title: string): Promise<void> {
 }
 
 test('the board: present numbers, matrices, meanings, LaTeX copied', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await seek(page, 2);
   const { columns, rows } = await exportCsv(page);
   const row = rows.find(([t]) => Math.abs(t! - 2) < 1e-9)!;
@@ -94,7 +94,7 @@ test('the board: present numbers, matrices, meanings, LaTeX copied', async ({ pa
 });
 
 test('other systems, a file, and the phone', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await openEquations(page, 'ripstik');
   await chooseCase(page, 'bicycle-weave');
   await ended(page, 2, 'end');

@@ -5,6 +5,7 @@ import {
   measured,
   medianOf,
   openPage,
+  openWithoutScene,
   seek,
   type as typeInto,
   VIEWPORT,
@@ -13,7 +14,7 @@ import {
 test.use({ viewport: VIEWPORT });
 
 test('fields read degrees and expressions, refuse nonsense, and show what the start became', async ({ page }) => {
-  await openPage(page);
+  await openWithoutScene(page);
   await page.getByTestId('tool-now').click();
   const field = page.getByTestId('initial-alpha_fp');
   const plateAngle = page.getByTestId('now-alpha_fp');

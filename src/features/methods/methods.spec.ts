@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from '@playwright/test';
-import { chooseCase, ended, openPage, VIEWPORT } from '../../../tests/browser/helpers.ts';
+import { chooseCase, ended, openWithoutScene, VIEWPORT } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -8,7 +8,7 @@ test.use({ viewport: VIEWPORT });
 const CHOSEN = ['qr', 'collocation', 'ida', 'blt', 'dopri5', 'dop853', 'rk4'];
 
 test('methods are compared on the scenario in the panel: table, curves, cancel, table as CSV', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await chooseCase(page, 'released');
   await ended(page, 2, 'touchdown');
   await page.getByTestId('tool-methods').click();

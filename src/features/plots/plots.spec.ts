@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, ended, openPage, pause, seek } from '../../../tests/browser/helpers.ts';
+import { chooseCase, ended, openWithoutScene, pause, seek } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: { width: 1100, height: 700 } });
 
@@ -9,7 +9,7 @@ const time = async (page: Page): Promise<number> =>
 const pane = (page: Page, i: number) => page.getByTestId('plot-pane').nth(i);
 
 test('plots of a case: shared time, zoom, legend, units, other axes, saved', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await chooseCase(page, 'wheel-pendulum-lqr');
   await ended(page, 2, 'end');
   await pause(page);
@@ -71,7 +71,7 @@ test('plots of a case: shared time, zoom, legend, units, other axes, saved', asy
 });
 
 test('a system of first order shows the exact curve; a running motion grows', async ({ page }) => {
-  const watch = await openPage(page);
+  const watch = await openWithoutScene(page);
   await page.getByTestId('tool-plots').click();
   await chooseCase(page, 'stiff-decay-euler-8');
   await ended(page, 2, 'end');

@@ -1,6 +1,13 @@
 import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
-import { chooseCase, ended, numberIn, openWithoutScene, type as typeIn, VIEWPORT } from '../../../tests/browser/helpers.ts';
+import {
+  chooseCase,
+  ended,
+  numberIn,
+  openWithoutScene,
+  type as typeIn,
+  VIEWPORT,
+} from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 

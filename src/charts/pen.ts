@@ -1,3 +1,5 @@
+import type { Surface } from './surface.ts';
+
 /** Points of a line drawn in one go. A stroke's price grows faster than its points: where many lines cross, many short ones cost a tenth of a long one. */
 const PIECE = 16;
 /** A piece so many times longer than the half outline of what it covers goes to and fro, and fills that. */
@@ -15,7 +17,7 @@ export interface LineStyle {
  * what it covers, it is drawn thin and without dashes, which nobody sees there and which cost ten times as much.
  */
 export class Pen {
-  private readonly context: CanvasRenderingContext2D;
+  private readonly context: Surface;
   private readonly style: LineStyle;
   private points = 0;
   /** Where the pen is. */
@@ -29,7 +31,7 @@ export class Pen {
   private top = Infinity;
   private bottom = -Infinity;
 
-  constructor(context: CanvasRenderingContext2D, style: LineStyle) {
+  constructor(context: Surface, style: LineStyle) {
     this.context = context;
     this.style = style;
     context.beginPath();

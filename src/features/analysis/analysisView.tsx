@@ -9,7 +9,7 @@ import { words } from './words.ts';
 import './analysis.css';
 import { Eigenvalues } from './eigenvalues.tsx';
 import { GainSection, type SaveText } from './gainSection.tsx';
-import { LocusSection, type PlotLocus } from './locusSection.tsx';
+import { LocusSection } from './locusSection.tsx';
 import { analysedPart, stateNames } from './names.ts';
 import { OrdersSection } from './ordersSection.tsx';
 import { PointSection } from './pointSection.tsx';
@@ -18,11 +18,10 @@ import { ReachSection } from './reachSection.tsx';
 const ASKER = 'analysis';
 
 export interface AnalysisProps {
-  plot: PlotLocus;
   save: SaveText;
 }
 
-export function AnalysisView({ plot, save }: AnalysisProps) {
+export function AnalysisView({ save }: AnalysisProps) {
   const ui = useUi();
   const system = ui.system.value;
   const { analysis, problem, computing } = useAnalysis();
@@ -54,7 +53,7 @@ export function AnalysisView({ plot, save }: AnalysisProps) {
           </>
         )}
       </div>
-      <LocusSection names={names} system={system} plot={plot} save={save} />
+      <LocusSection names={names} system={system} save={save} />
     </div>
   );
 }

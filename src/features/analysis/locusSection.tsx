@@ -1,7 +1,7 @@
 /** Eigenvalues against speed or any parameter: asked for, computed aside, drawn twice, listed, saved. */
 import { useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { locusCsv } from '../../core/control/design/exports.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
@@ -11,23 +11,13 @@ import { Check, Section } from '../../ui/kit/controls.tsx';
 import { formatShort, THIN } from '../../ui/kit/format.ts';
 import { words } from './words.ts';
 import type { SaveText } from './gainSection.tsx';
+import { LocusChart } from './locusChart.tsx';
 import { LocusForm } from './locusForm.tsx';
 import { LocusPlane } from './locusPlane.tsx';
 import { eigenvalueText, signed } from './modes.ts';
 import { analysedPart, type StateName } from './names.ts';
-import { bendOf, isWide, logarithmicScale } from './planeScale.ts';
+import { bendOf, isWide } from './planeScale.ts';
 import { subjectsOf, type LocusSubject } from './subjects.ts';
-
-export interface LocusDrawingProps {
-  xLabel: string;
-  yLabel: string;
-  factor: number;
-  bend?: number;
-  ticks?: readonly number[];
-  onPoint(index: number | null): void;
-}
-
-export type PlotLocus = (host: HTMLElement, locus: ScenarioLocus, drawing: LocusDrawingProps) => () => void;
 
 type Standing = { kind: 'idle' } | { kind: 'computing'; share: number } | { kind: 'failed'; message: string };
 
@@ -41,12 +31,10 @@ interface Done {
 export function LocusSection({
   names,
   system,
-  plot,
   save,
 }: {
   names: ReadonlyMap<string, StateName>;
   system: SystemView;
-  plot: PlotLocus;
   save: SaveText;
 }) {
   const ui = useUi();
@@ -114,7 +102,6 @@ export function LocusSection({
         <Locus
           key={JSON.stringify(done.value.locus.request)}
           done={done.value}
-          plot={plot}
           save={save}
           stale={JSON.stringify(done.value.scenario) !== JSON.stringify(analysedPart(app.state.draft.value))}
         />
@@ -134,33 +121,17 @@ function parametersOf(draft: ScenarioFile, { meta }: SystemView): Scenario['para
 
 function Locus({
   done: { locus, subject },
-  plot,
   save,
   stale,
 }: {
   done: Done;
-  plot: PlotLocus;
   save: SaveText;
   stale: boolean;
 }) {
   const index = useSignal(Math.floor(locus.values.length / 2));
-  const host = useRef<HTMLDivElement>(null);
   const sizes = locus.branches.flatMap((branch) => branch.map((e) => Math.hypot(...e)));
   const wide = isWide(sizes.filter((x) => x > 1e-3 * Math.max(...sizes)));
   const axis = `${subject.label}, ${subject.unit || '1'}`;
-  useEffect(
-    () =>
-      plot(host.current!, locus, {
-        xLabel: axis,
-        yLabel: words.realPart,
-        factor: subject.factor,
-        ...(wide ? bentScale(locus) : {}),
-        onPoint: (at) => {
-          if (at !== null) index.value = at;
-        },
-      }),
-    [locus],
-  );
   const show = (value: number) =>
     `${formatShort(value * subject.factor, 5)}${subject.unit === '°' ? '' : THIN}${subject.unit}`;
   return (
@@ -188,12 +159,16 @@ function Locus({
           </span>
         )}
       </p>
-      <div
-        ref={host}
-        class="locus-plot"
-        data-testid="locus-plot"
-        role="img"
-        aria-label={words.locusPlot(subject.label)}
+      <LocusChart
+        locus={locus}
+        xLabel={axis}
+        yLabel={words.realPart}
+        label={words.locusPlot(subject.label)}
+        factor={subject.factor}
+        bend={wide ? bendOf(locus.branches.flatMap((branch) => branch.map(([re]) => Math.abs(re)))) : undefined}
+        onPoint={(at) => {
+          if (at !== null) index.value = at;
+        }}
       />
       <Walk locus={locus} index={index} label={subject.label} show={show} />
       <LocusPlane locus={locus} index={index} logarithmic={wide} label={words.locusPlane(subject.label)} />
@@ -214,13 +189,6 @@ function Locus({
       </div>
     </div>
   );
-}
-
-/** Ticks at powers of ten on both sides of zero: the plot's own would be too many. */
-function bentScale({ branches }: ScenarioLocus): { bend: number; ticks: readonly number[] } {
-  const reals = branches.flatMap((branch) => branch.map(([re]) => re));
-  const bend = bendOf(reals.map(Math.abs));
-  return { bend, ticks: logarithmicScale(Math.min(...reals), Math.max(bend, ...reals), bend).ticks };
 }
 
 /** A slider along the locus: what the pointer does in the plot, for keys and fingers. */

@@ -1,110 +1,121 @@
 import { effect, type Signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { App } from '../../app/app.ts';
-import { createOverlayPlot, type OverlayCurve, type OverlayPlot } from '../../charts/overlayPlot.ts';
+import type { Chart, Dot } from '../../charts/chart.ts';
+import { ChartView } from '../../charts/chartView.tsx';
+import { curveMark, type Curve } from '../../charts/curves.ts';
+import type { Picture } from '../../charts/frame.ts';
 import { token } from '../../charts/tokens.ts';
-import { shownFactor, spoken, type Column } from '../../core/motion/columns.ts';
+import { axisText, shownFactor, type Column } from '../../core/motion/columns.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
+import { words as plain } from '../../core/motion/symbols.ts';
 import type { ShownRun } from './shownRuns.ts';
+
+interface Shown {
+  runs: readonly ShownRun[];
+  x: Column;
+  y: Column;
+  equal: boolean;
+}
 
 /** One column of several runs against time or another column. */
 export function CurvePane({
   app,
-  runs,
-  x,
-  y,
   zoom,
-  equal,
   label,
   testId,
-}: {
+  onChart,
+  ...shown
+}: Shown & {
   app: App;
-  runs: readonly ShownRun[];
-  x: Column;
-  y: Column;
   zoom: Signal<readonly [number, number] | null>;
-  equal: boolean;
   label: string;
   testId: string;
+  /** For what saves it. */
+  onChart(chart: Chart | null): void;
 }) {
-  const host = useRef<HTMLDivElement>(null);
-  const plot = useRef<OverlayPlot | null>(null);
-  // No function below may hold `runs` itself: those of the first drawing would stay in memory as long as the plot.
-  const latest = useRef(runs);
-  latest.current = runs;
+  const chart = useRef<Chart | null>(null);
+  // No function below may hold the runs themselves: those of the first drawing would stay in memory as long as the plot.
+  const latest = useRef(shown);
+  latest.current = shown;
+  const overTime = shown.x.name === 't';
+  const degrees = (): boolean => app.state.plots.peek().degrees;
+  const draw = (): void => chart.current?.setPicture(pictureOf(latest.current, degrees()));
+  const mark = (): void => {
+    const time = app.state.time.peek();
+    chart.current?.setCursor(overTime ? time : null, dotsOf(latest.current, degrees(), time));
+  };
   useEffect(() => {
-    const made = (plot.current = createOverlayPlot(host.current!, {
-      xLabel: spoken(x, true),
-      yLabel: spoken(y, true),
-      rising: x.name === 't',
-      equal,
-      onZoom: (range) => {
-        zoom.value = range;
-      },
-      ...(x.name === 't' ? { onSeek: (time: number) => app.actions.seek(time) } : {}),
-    }));
-    const stops = [
-      effect(() => {
-        void app.state.rowsVersion.value;
-        made.setCurves(curvesOf(latest.current, x, y));
-      }),
-      effect(() => {
-        const time = app.state.time.value;
-        made.setCursor(
-          x.name === 't' ? time : 0,
-          latest.current.map((run) => pointAt(run, x, y, time)),
-        );
-      }),
-      effect(() => made.setZoom(zoom.value)),
-      // The theme's colours are in force after the page's own effect: draw in the next frame.
-      app.state.theme.subscribe(() => requestAnimationFrame(() => made.redraw())),
-    ];
-    return () => {
-      for (const stop of stops) stop();
-      made.destroy();
-    };
-  }, []);
-  useEffect(() => {
-    plot.current?.setCurves(curvesOf(latest.current, x, y));
-    plot.current?.setCursor(
-      x.name === 't' ? app.state.time.peek() : 0,
-      latest.current.map((run) => pointAt(run, x, y, app.state.time.peek())),
-    );
-  }, [runs]);
+    draw();
+    mark();
+  }, [shown.runs]);
   return (
-    <div
-      ref={host}
-      class={`overlay-plot${equal ? ' square-plot' : ''}`}
-      role="img"
-      aria-label={label}
-      data-testid={testId}
+    <ChartView
+      class={shown.equal ? 'equal' : ''}
+      label={label}
+      testId={testId}
+      options={{
+        alongX: overTime,
+        onZoom: ({ x }) => {
+          zoom.value = x;
+        },
+        ...(overTime ? { onSeek: (time: number) => app.actions.seek(time) } : {}),
+      }}
+      attach={(made) => {
+        chart.current = made;
+        onChart(made);
+        const stops = [
+          effect(() => {
+            void app.state.rowsVersion.value;
+            void app.state.plots.value;
+            draw();
+            mark();
+          }),
+          app.state.time.subscribe(mark),
+          effect(() => {
+            if (overTime || zoom.value === null) made.setZoom({ x: zoom.value, y: null });
+          }),
+          // The theme's colours are in force after the page's own effect: draw in the next frame.
+          app.state.theme.subscribe(() => void requestAnimationFrame(draw)),
+        ];
+        return () => {
+          for (const stop of stops) stop();
+          chart.current = null;
+          onChart(null);
+        };
+      }}
     />
   );
 }
 
-const EMPTY = new Float64Array(0);
-
-function curvesOf(runs: readonly ShownRun[], x: Column, y: Column): OverlayCurve[] {
-  return runs.map(({ name, motion, style }) => {
-    const [xs, ys] = [x, y].map((c) => valuesOf(motion, c.name).get());
-    const there = xs !== undefined && ys !== undefined;
+function pictureOf({ runs, x, y, equal }: Shown, degrees: boolean): Picture {
+  const curves = runs.map(({ name, motion, style }): Curve => {
+    const [xs, ys] = [valuesOf(motion, x.name), valuesOf(motion, y.name)];
     return {
-      label: name,
+      label: plain(name),
       color: style?.color ?? token('--text'),
-      ...(style?.dash ? { dash: style.dash } : {}),
-      ...(style ? {} : { width: 2 }),
-      x: there ? xs : EMPTY,
-      y: there ? ys : EMPTY,
-      xFactor: shownFactor(x, true),
-      yFactor: shownFactor(y, true),
+      ...(style ? { dash: style.dash } : { width: 2 }),
+      x: xs.get(),
+      y: ys.get(),
+      xFactor: shownFactor(x, degrees),
+      yFactor: shownFactor(y, degrees),
+      ...(x.name === 't' ? { rising: true, envelope: ys.envelope, settled: motion.trajectory.settled } : {}),
     };
   });
+  return {
+    x: { title: axisText([x], degrees), ...(x.name === 't' ? { air: 0 } : {}) },
+    y: { title: axisText([y], degrees) },
+    equal,
+    marks: curves.map(curveMark),
+  };
 }
 
-/** Where a run is at a time; nowhere outside of its own. */
-function pointAt({ motion }: ShownRun, x: Column, y: Column, time: number): readonly [number, number] | null {
-  const { trajectory } = motion;
-  if (trajectory.length === 0 || time < trajectory.start || time > trajectory.end) return null;
-  const [px, py] = [x, y].map((c) => valuesOf(motion, c.name).at(time) * shownFactor(c, true)) as [number, number];
-  return Number.isNaN(px) || Number.isNaN(py) ? null : [px, py];
+/** Where each run is at a time; nowhere outside of its own. */
+function dotsOf({ runs, x, y }: Shown, degrees: boolean, time: number): Dot[] {
+  return runs.flatMap(({ motion, style }) => {
+    const { trajectory } = motion;
+    if (trajectory.length === 0 || time < trajectory.start || time > trajectory.end) return [];
+    const [px, py] = [x, y].map((c) => valuesOf(motion, c.name).at(time) * shownFactor(c, degrees)) as [number, number];
+    return px - px === 0 && py - py === 0 ? [{ x: px, y: py, color: style?.color ?? token('--text') }] : [];
+  });
 }

@@ -1,10 +1,13 @@
 /** One run less another: every column's numbers, and the curve of one. */
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
-import { createOverlayPlot, type OverlayPlot } from '../../charts/overlayPlot.ts';
+import { ChartView } from '../../charts/chartView.tsx';
+import { curveMark } from '../../charts/curves.ts';
+import { TextView } from '../../charts/textView.tsx';
 import { token } from '../../charts/tokens.ts';
-import { columnOf, shownFactor, shownUnit, spoken, type Column } from '../../core/motion/columns.ts';
+import { axisText, columnOf, shownFactor, shownUnit, spoken, symbolOf, type Column } from '../../core/motion/columns.ts';
+import { words as plain } from '../../core/motion/symbols.ts';
 import { commonTimes, differenceOf, type Difference } from '../../core/motion/difference.ts';
 import { words } from './words.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
@@ -110,6 +113,7 @@ function useLines(a: ShownRun, b: ShownRun, turns: boolean): readonly Line[] | n
 }
 
 function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
+  const { degrees } = useUi().app.state.plots.value;
   const lines = useLines(a, b, turns);
   const sort = useSignal<{ key: Key; down: boolean }>({ key: 'name', down: false });
   const chosen = useSignal('');
@@ -180,19 +184,19 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
                     type="button"
                     class="link"
                     aria-pressed={drawn.info.name === info.name}
-                    aria-label={words.showDifference(info.name)}
+                    aria-label={words.showDifference(info.label)}
                     onClick={() => {
                       chosen.value = info.name;
                     }}
                   >
-                    {info.name}
+                    <TextView of={symbolOf(info)} />
                   </button>{' '}
-                  <span class="unit">{shownUnit(info, true)}</span>
+                  <span class="unit">{shownUnit(info, degrees)}</span>
                 </th>
-                <td>{number(d.rms * shownFactor(info, true))}</td>
-                <td>{number(d.max * shownFactor(info, true))}</td>
+                <td>{number(d.rms * shownFactor(info, degrees))}</td>
+                <td>{number(d.max * shownFactor(info, degrees))}</td>
                 <td>{formatFixed(d.maxTime, 3)}</td>
-                <td>{number(d.final * shownFactor(info, true))}</td>
+                <td>{number(d.final * shownFactor(info, degrees))}</td>
               </tr>
             ))}
           </tbody>
@@ -211,47 +215,37 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
 const number = (x: number): string =>
   x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? formatScientific(x, 2) : formatShort(x, 4);
 
-function DifferencePlot({ line }: { line: Line }) {
+function DifferencePlot({ line: { info, difference } }: { line: Line }) {
   const { app } = useUi();
-  const host = useRef<HTMLDivElement>(null);
-  const plot = useRef<OverlayPlot | null>(null);
-  const { info } = line;
-  useEffect(() => {
-    const made = (plot.current = createOverlayPlot(host.current!, {
-      xLabel: 't [s]',
-      yLabel: `Δ ${spoken(info, true)}`,
-      rising: true,
-      onSeek: (time) => app.actions.seek(time),
-    }));
-    const stops = [
-      app.state.time.subscribe((time) => made.setCursor(time)),
-      app.state.theme.subscribe(() => requestAnimationFrame(() => made.redraw())),
-    ];
-    return () => {
-      for (const stop of stops) stop();
-      made.destroy();
-    };
-  }, []);
-  useEffect(() => {
-    const color = token('--accent');
-    plot.current?.setCurves([
-      {
-        label: info.name,
-        color,
-        x: line.difference.times,
-        y: line.difference.values,
-        xFactor: 1,
-        yFactor: shownFactor(info, true),
-      },
-    ]);
-  }, [line]);
+  const { degrees } = app.state.plots.value;
+  // Drawn again in another theme's colours, which are in force after the page's own effect: in the next frame.
+  void app.state.theme.value;
+  const title = [...plain('Δ '), ...axisText([info], degrees)];
   return (
-    <div
-      ref={host}
-      class="overlay-plot low"
-      role="img"
-      aria-label={words.differencePlot(spoken(info, true))}
-      data-testid="difference-plot"
+    <ChartView
+      class="low"
+      label={words.differencePlot(spoken(info, degrees))}
+      testId="difference-plot"
+      options={{ alongX: true, onSeek: (time) => app.actions.seek(time) }}
+      attach={(chart) => app.state.time.subscribe((time) => chart.setCursor(time))}
+      update={(chart) =>
+        void requestAnimationFrame(() =>
+          chart.setPicture({
+            x: { title: plain('t, s'), air: 0 },
+            y: { title },
+            marks: [
+              curveMark({
+                label: title,
+                color: token('--accent'),
+                x: difference.times,
+                y: difference.values,
+                yFactor: shownFactor(info, degrees),
+                rising: true,
+              }),
+            ],
+          }),
+        )
+      }
     />
   );
 }

@@ -30,12 +30,12 @@ export function MeasureFields({
       (!/^(distance|costOfTransport)$/.test(k) || groundCoordinates(meta).length > 0),
   );
   const made: SweepMeasure = ofColumn(kind.value) ? { kind: kind.value, column: column.value } : { kind: kind.value };
-  const there = measures.value.some((m) => measureInfo(m, meta).id === measureInfo(made, meta).id);
+  const there = measures.value.some((m) => measureInfo(m, meta, true).id === measureInfo(made, meta, true).id);
   return (
     <fieldset class="sweep-measures">
       <ul class="measure-list">
         {measures.value.map((m) => {
-          const { id, label } = measureInfo(m, meta);
+          const { id, label } = measureInfo(m, meta, true);
           return (
             <li key={id} class="measure" title={own.notes[m.kind]}>
               <span>{label}</span>

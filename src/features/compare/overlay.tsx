@@ -4,8 +4,9 @@ import { useRef } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
 import { columnOf, groundCoordinates, spoken } from '../../core/motion/columns.ts';
 import { words } from './words.ts';
-import { Icon, Section } from '../../ui/kit/controls.tsx';
+import { Check, Icon, Section } from '../../ui/kit/controls.tsx';
 import { useUi } from '../../ui/context.ts';
+import type { Chart } from '../../charts/chart.ts';
 import { CurvePane } from './curvePane.tsx';
 import { Swatch } from './keptList.tsx';
 import { columnsOf, type ShownRun } from './shownRuns.ts';
@@ -17,7 +18,8 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
   const x = useSignal('t');
   const panes = useSignal<readonly { id: number; column: string }[]>([{ id: 0, column: '' }]);
   const zoom = useSignal<readonly [number, number] | null>(null);
-  const host = useRef<HTMLDivElement>(null);
+  const { degrees } = app.state.plots.value;
+  const charts = useRef(new Map<number, Chart>());
   const columns = columnsOf(runs);
   const meta = runs[0]!.motion.system.meta;
   const fallback = meta.coordinates.find((c) => c.kind === 'angle')?.name ?? meta.coordinates[0]!.name;
@@ -30,10 +32,11 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
   const change = (id: number, column: string) => {
     panes.value = panes.value.map((pane) => (pane.id === id ? { ...pane, column } : pane));
   };
-  const picture = () =>
-    host.current?.querySelector('canvas')?.toBlob((blob) => {
-      if (blob) download('overlay.png', [blob], 'image/png');
-    });
+  const save = async () => {
+    const first = panes.value.map(({ id }) => charts.current.get(id)).find((chart) => chart !== undefined);
+    const blob = await first?.png();
+    if (blob) download('overlay.png', [blob], 'image/png');
+  };
   return (
     <Section title={words.overlay} open>
       <div class="compare-row">
@@ -49,7 +52,7 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
           >
             {columns.map((c) => (
               <option key={c} value={c}>
-                {c === 't' ? words.time : c}
+                {infoOf(c).label}
               </option>
             ))}
           </select>
@@ -85,11 +88,11 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
             {words.addPane}
           </button>
         )}
-        <button type="button" data-testid="overlay-png" onClick={picture}>
+        <button type="button" data-testid="overlay-png" onClick={() => void save()}>
           {words.png}
         </button>
       </div>
-      <div ref={host}>
+      <div>
         {panes.value.map(({ id, column }) => {
           const y = known(column, fallback);
           const [infoX, infoY] = [infoOf(against), infoOf(y)];
@@ -103,7 +106,7 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
                       .filter((c) => c !== 't')
                       .map((c) => (
                         <option key={c} value={c}>
-                          {c}
+                          {infoOf(c).label}
                         </option>
                       ))}
                   </select>
@@ -114,8 +117,8 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
                   <button
                     type="button"
                     class="quiet square"
-                    aria-label={words.removePane(y)}
-                    title={words.removePane(y)}
+                    aria-label={words.removePane(infoY.label)}
+                    title={words.removePane(infoY.label)}
                     onClick={() => {
                       panes.value = panes.value.filter((p) => p.id !== id);
                     }}
@@ -131,15 +134,15 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
                 x={infoX}
                 y={infoY}
                 zoom={zoom}
+                onChart={(chart) => (chart ? charts.current.set(id, chart) : charts.current.delete(id))}
                 testId={`overlay-plot-${id}`}
                 equal={ground.includes(against) && ground.includes(y)}
-                label={words.plot(spoken(infoY, true), spoken(infoX, true), shown.length)}
+                label={words.plot(spoken(infoY, degrees), spoken(infoX, degrees), shown.length)}
               />
             </div>
           );
         })}
       </div>
-      <p class="hint">{words.zoomHint}</p>
     </Section>
   );
 }

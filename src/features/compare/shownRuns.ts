@@ -1,5 +1,6 @@
 import type { App } from '../../app/app.ts';
 import type { Motion } from '../../app/runs/motion.ts';
+import { columnsOf as allColumns } from '../../core/motion/columns.ts';
 import { CURVES } from '../../app/runs/curveStyles.ts';
 
 /** One run in the plots and tables: the one on the stage, or a pinned one. */
@@ -27,7 +28,13 @@ export function shownRuns({ state }: App): ShownRun[] {
   return [{ key: 'stage', name: motion.title, motion, style: null, visible: true }, ...pinned];
 }
 
-/** Columns of any of the runs, in the order they are first met. */
+/** Columns of any of the runs, recorded and computed, in the order they are first met. */
 export function columnsOf(runs: readonly ShownRun[]): string[] {
-  return [...new Set(runs.flatMap(({ motion }) => motion.trajectory.columns))];
+  return [
+    ...new Set(
+      runs.flatMap(({ motion: { system, trajectory, constraints } }) =>
+        allColumns(system, trajectory.columns, constraints !== null).map((c) => c.name),
+      ),
+    ),
+  ];
 }

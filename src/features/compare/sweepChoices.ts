@@ -1,7 +1,8 @@
 import type { App } from '../../app/app.ts';
 import { systemMetas } from '../../app/store.ts';
 import { otherMethods, reportMethods } from '../../core/cases/methodSets.ts';
-import { columnOf, shownFactor, shownUnit, sumsOf } from '../../core/motion/columns.ts';
+import { columnOf, shownFactor, shownUnit, sumsOf, symbolOf } from '../../core/motion/columns.ts';
+import { words as plain, type Text } from '../../core/motion/symbols.ts';
 import { spaced, sweepPaths, type SweepAxis, type SweepPath } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
@@ -106,22 +107,32 @@ export function measurableColumns(app: App, meta: SystemMeta): string[] {
   ];
 }
 
-/** A measure's words, unit and factor to what is shown. */
-export function measureInfo(
-  measure: SweepMeasure,
-  meta: SystemMeta,
-): { id: string; label: string; unit: string; factor: number } {
+/** A measure in words and as its column is typeset, its unit, and the factor to what is shown. */
+export interface MeasureInfo {
+  id: string;
+  label: string;
+  title: Text;
+  unit: string;
+  factor: number;
+}
+
+export function measureInfo(measure: SweepMeasure, meta: SystemMeta, degrees: boolean): MeasureInfo {
+  const kind = own.kinds[measure.kind];
   if ('column' in measure) {
     const of = columnOf(meta, measure.column);
     return {
       id: `${measure.kind}-${measure.column}`,
-      label: `${own.kinds[measure.kind]} ${measure.column}`,
-      unit: shownUnit(of, true),
-      factor: shownFactor(of, true),
+      label: `${kind} ${of.label}`,
+      title: [...plain(`${kind} `), ...symbolOf(of)],
+      unit: shownUnit(of, degrees),
+      factor: shownFactor(of, degrees),
     };
   }
-  return { id: measure.kind, label: own.kinds[measure.kind], unit: own.units[measure.kind], factor: 1 };
+  return { id: measure.kind, label: kind, title: plain(kind), unit: own.units[measure.kind], factor: 1 };
 }
+
+/** With its unit, as it stands at an axis or over a column. */
+export const titleOf = ({ title, unit }: MeasureInfo): Text => (unit === '' ? title : [...title, ...plain(`, ${unit}`)]);
 
 export const measureText = (x: number): string =>
   Number.isNaN(x)

@@ -6,7 +6,7 @@ import { words } from './words.ts';
 import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { THIN } from '../../ui/kit/format.ts';
-import { measureInfo, measureText } from './sweepChoices.ts';
+import { measureInfo, measureText, titleOf } from './sweepChoices.ts';
 import { SweepCurve } from './sweepCurve.tsx';
 import { SweepMap } from './sweepMap.tsx';
 import { SweepTable } from './sweepTable.tsx';
@@ -31,7 +31,7 @@ export function describeRun(app: App, plan: SweepPlan, job: number): string {
   if (result.reason === 'refused') return `${place}: ${own.refused} (${result.message})`;
   const { meta } = app.systemOf(plan.file.system)!;
   const numbers = plan.measures.map((m, i) => {
-    const { label, unit, factor } = measureInfo(m, meta);
+    const { label, unit, factor } = measureInfo(m, meta, app.state.plots.value.degrees);
     return `${label} ${measureText(result.values[i]! * factor)}${unit && `${THIN}${unit}`}`;
   });
   return `${place}: ${numbers.join('; ')}; ${text.status.reasons[result.reason] ?? result.reason}`;
@@ -52,15 +52,16 @@ function Results({ plan }: { plan: SweepPlan }) {
   const shown = useSignal(0);
   const hovered = useSignal<number | null>(null);
   const { meta } = app.systemOf(plan.file.system)!;
-  const infos = plan.measures.map((m) => measureInfo(m, meta));
+  const infos = plan.measures.map((m) => measureInfo(m, meta, app.state.plots.value.degrees));
   const info = infos[shown.value]!;
-  const label = info.unit ? `${info.label} [${info.unit}]` : info.label;
+  const label = info.unit ? `${info.label}, ${info.unit}` : info.label;
   const axis = plan.axes[0]!;
   const view = {
     app,
     plan,
     measure: shown.value,
     factor: info.factor,
+    title: titleOf(info),
     label,
     onHover: (job: number | null) => {
       hovered.value = job;
@@ -88,9 +89,9 @@ function Results({ plan }: { plan: SweepPlan }) {
         </label>
       </div>
       {plan.axes.length === 2 ? (
-        <SweepMap key={shown.value} {...view} />
+        <SweepMap key={`${shown.value} ${info.factor}`} {...view} />
       ) : (
-        axis.path !== 'method' && <SweepCurve key={shown.value} {...view} />
+        axis.path !== 'method' && <SweepCurve key={`${shown.value} ${info.factor}`} {...view} />
       )}
       {(plan.axes.length === 2 || axis.path !== 'method') && (
         <p class="hint sweep-read" role="status" data-testid="sweep-read">

@@ -6,7 +6,8 @@ import { words } from './words.ts';
 import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { csvText } from './csvText.ts';
-import { measureText, type measureInfo } from './sweepChoices.ts';
+import { TextView } from '../../charts/textView.tsx';
+import { measureText, titleOf, type MeasureInfo } from './sweepChoices.ts';
 
 const own = words.sweep;
 /** Rows on a page of the table: more would make every renewal felt. */
@@ -18,7 +19,7 @@ export function SweepTable({
   onPick,
 }: {
   plan: SweepPlan;
-  infos: readonly ReturnType<typeof measureInfo>[];
+  infos: readonly MeasureInfo[];
   onPick(job: number): void;
 }) {
   const {
@@ -110,7 +111,7 @@ function Row({
   plan: SweepPlan;
   job: number;
   result: SweepResult | undefined;
-  infos: readonly ReturnType<typeof measureInfo>[];
+  infos: readonly MeasureInfo[];
   onPick(job: number): void;
 }) {
   return useMemo(
@@ -138,7 +139,7 @@ function Row({
         </td>
       </tr>
     ),
-    [plan, job, result],
+    [plan, job, result, infos.map((m) => m.factor).join()],
   );
 }
 

@@ -34,7 +34,6 @@ export const words = {
   resetZoom: 'Whole range',
   plot: (y: string, x: string, runs: number) => `${y} against ${x}, ${runs} ${runs === 1 ? 'curve' : 'curves'}`,
   now: 'at',
-  zoomHint: 'Drag to zoom, double-click for all; click, or drag the line, to move the scene.',
   csvRange: 'Curves as CSV',
   png: 'Picture',
   differences: 'Difference',

@@ -1,18 +1,23 @@
-/** From columns to curves: ranges, units, points. */
+/** From columns to a picture: ranges, units, curves. */
 import type { Motion } from '../../app/runs/motion.ts';
-import type { PaneCurve } from '../../charts/panePlot.ts';
-import { compileExpression } from '../../core/scenario/expressions.ts';
-import { shownFactor, type Column } from '../../core/motion/columns.ts';
-import { decimated } from '../../core/motion/envelope.ts';
+import { curveMark, type Curve } from '../../charts/curves.ts';
+import type { Picture } from '../../charts/frame.ts';
+import type { Range } from '../../charts/scales.ts';
+import { axisText, columnOf, shownFactor, symbolOf, type Column } from '../../core/motion/columns.ts';
+import type { ColumnValues } from '../../core/motion/columnValues.ts';
 import { rowsWithin } from '../../core/motion/rowsWithin.ts';
+import { words } from '../../core/motion/symbols.ts';
+import { compileExpression } from '../../core/scenario/expressions.ts';
 import type { PaneProps } from './paneView.tsx';
-import type { CurveStyle } from './style.ts';
+import { stylesOf } from './style.ts';
 
 const EXACT_POINTS = 400;
-/** Points of a path at the most. */
-const PATH_POINTS = 20_000;
 
-type Range = readonly [number, number];
+/** Columns of a motion by name. */
+export const infoIn =
+  ({ system, constraints }: Motion) =>
+  (name: string): Column =>
+    columnOf(system.meta, name, constraints === null ? [] : system.contacts);
 
 /** The times that are shown. */
 export function limits({ trajectory }: Motion, range: Range | null, to = Infinity): Range {
@@ -20,94 +25,78 @@ export function limits({ trajectory }: Motion, range: Range | null, to = Infinit
   return range ?? [trajectory.start, end > trajectory.start ? end : trajectory.start + 1];
 }
 
-export function curvesOf(
-  { pane, motion, values, range }: PaneProps,
-  infoOf: (name: string) => Column,
-  degrees: boolean,
-  styles: readonly CurveStyle[],
-  width: number,
-): { curves: PaneCurve[]; x: Range; y: Range } {
-  const factor = (name: string): number => shownFactor(infoOf(name), degrees);
-  const shown = pane.y
-    .map((name, i) => ({ name, style: styles[i]! }))
-    .filter(({ name }) => !pane.hidden?.includes(name));
-  const [from, to] = limits(motion, range.peek(), pane.to);
+export function pictureOf({ pane, motion, values, range }: PaneProps, degrees: boolean): Picture {
+  const infoOf = infoIn(motion);
+  const styles = stylesOf(pane.y.map(infoOf));
   const overTime = pane.x === 't';
   const { trajectory } = motion;
   const t = trajectory.column('t')!;
-  const curves: PaneCurve[] = shown.map(({ name, style }) => {
+  const shown = pane.y.map((name, i) => ({ name, style: styles[i]! })).filter(({ name }) => !hides(pane, name));
+  const xs = overTime ? t : values(pane.x).get();
+  const whole = limits(motion, null, pane.to);
+  const curves = shown.map(({ name, style }): Curve => {
     const column = values(name);
     const y = column.get();
-    const scale = factor(name);
-    if (overTime) {
-      const points = decimated(
-        t.subarray(0, y.length),
-        y,
-        column.envelope,
-        from,
-        to,
-        Math.max(100, width),
-        trajectory.settled,
-      );
-      return { ...style, x: points.t, y: scale === 1 ? points.y : points.y.map((v) => scale * v) };
-    }
-    return { ...style, ...path(t, values(pane.x).get(), y, from, to, factor(pane.x), scale) };
+    return {
+      ...style,
+      label: symbolOf(infoOf(name)),
+      x: xs,
+      y,
+      xFactor: overTime ? 1 : shownFactor(infoOf(pane.x), degrees),
+      yFactor: shownFactor(infoOf(name), degrees),
+      ...(overTime
+        ? { rising: true, envelope: column.envelope, settled: trajectory.settled, rows: [0, y.length] }
+        : { rows: rowsWithin(t.subarray(0, Math.min(xs.length, y.length)), ...limits(motion, range.peek(), pane.to)) }),
+    };
   });
-  if (pane.exact && overTime) {
-    const { evaluate } = compileExpression(pane.exact.expression, { variables: ['t'] });
-    const scale = factor(pane.y[0] ?? '');
-    const x = Array.from({ length: EXACT_POINTS + 1 }, (_, i) => from + ((to - from) * i) / EXACT_POINTS);
-    curves.push({ color: styles[0]?.color ?? '#888', dash: [2, 2], x, y: x.map((time) => scale * evaluate(time)) });
-  }
+  if (pane.exact && overTime) curves.push(exactCurve(pane.exact, whole, shownFactor(infoOf(pane.y[0] ?? ''), degrees)));
+  const y = shown.map(({ name }) => infoOf(name));
   return {
-    curves,
-    x: overTime ? [from, to] : rangeOf(curves.map((c) => c.x)),
-    y: rangeOf(
-      curves.map((c) => c.y),
-      overTime ? { x: curves.map((c) => c.x), from, to } : undefined,
-    ),
+    x: { title: axisText([infoOf(pane.x)], degrees), ...(overTime ? { range: whole } : {}) },
+    y: { title: axisText(y, degrees) },
+    equal: pane.equal,
+    marks: curves.map(curveMark),
   };
 }
 
-/** Rows of a path within the times that are shown; of too many, one in every few and the last. */
-function path(
-  t: Float64Array,
-  xs: Float64Array,
-  ys: Float64Array,
-  from: number,
-  to: number,
-  xScale: number,
-  yScale: number,
-): { x: number[]; y: number[] } {
-  const x: number[] = [];
-  const y: number[] = [];
-  const [first, end] = rowsWithin(t.subarray(0, Math.min(xs.length, ys.length)), from, to);
-  const step = Math.max(1, Math.ceil((end - first) / PATH_POINTS));
-  for (let i = first; i < end; i = i < end - 1 ? Math.min(i + step, end - 1) : end) {
-    x.push(xScale * xs[i]!);
-    y.push(yScale * ys[i]!);
-  }
-  return { x, y };
+const hides = (pane: PaneProps['pane'], name: string): boolean => pane.hidden?.includes(name) ?? false;
+
+function exactCurve({ label, expression }: { label: string; expression: string }, [from, to]: Range, yFactor: number): Curve {
+  const { evaluate } = compileExpression(expression, { variables: ['t'] });
+  const x = Float64Array.from({ length: EXACT_POINTS + 1 }, (_, i) => from + ((to - from) * i) / EXACT_POINTS);
+  return { label: words(label), color: '#8a8f98', dash: [2, 2], x, y: x.map((time) => evaluate(time)), yFactor, rising: true };
 }
 
-/** With a little air; a flat curve in the middle. */
-function rangeOf(
-  lists: readonly ArrayLike<number>[],
-  within?: { x: readonly ArrayLike<number>[]; from: number; to: number },
-): Range {
-  let low = Infinity;
-  let high = -Infinity;
-  lists.forEach((list, k) => {
-    for (let i = 0; i < list.length; i++) {
-      const v = list[i]!;
-      if (v - v !== 0 || (within && (within.x[k]![i]! < within.from || within.x[k]![i]! > within.to))) continue;
-      if (v < low) low = v;
-      if (v > high) high = v;
+/** Where the motion is, on every curve of a plot over something else than time. */
+export function dotsOf({ pane, motion, values }: PaneProps, degrees: boolean, time: number) {
+  const infoOf = infoIn(motion);
+  const styles = stylesOf(pane.y.map(infoOf));
+  const value = (name: string): number => values(name).at(time) * shownFactor(infoOf(name), degrees);
+  return pane.y.flatMap((name, i) =>
+    hides(pane, name) ? [] : [{ x: value(pane.x), y: value(name), color: styles[i]!.color }],
+  );
+}
+
+/** The time of the row nearest to a place in a plot over something else than time; in units shown. */
+export function nearestTime({ pane, motion, values }: PaneProps, degrees: boolean, x: number, y: number): number {
+  const infoOf = infoIn(motion);
+  const t = motion.trajectory.column('t')!;
+  const place = (name: string, at: number): { list: Float64Array; at: number; spread: number } => {
+    const column: ColumnValues = values(name);
+    const list = column.get();
+    const [low, high] = column.envelope.range(list, 0, list.length, motion.trajectory.settled);
+    return { list, at: at / shownFactor(infoOf(name), degrees), spread: high - low || 1 };
+  };
+  const across = place(pane.x, x);
+  const curves = pane.y.filter((name) => !hides(pane, name)).map((name) => place(name, y));
+  const spread = Math.max(...curves.map((c) => c.spread));
+  let best = Infinity;
+  let found = t[0] ?? 0;
+  for (let i = 0; i < across.list.length; i++) {
+    for (const { list, at } of curves) {
+      const d = ((across.list[i]! - across.at) / across.spread) ** 2 + ((list[i]! - at) / spread) ** 2;
+      if (d < best) [best, found] = [d, t[i]!];
     }
-  });
-  if (!(low <= high)) return [-1, 1];
-  // A curve that only rounding moves is flat.
-  const air =
-    high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)) ? 0.06 * (high - low) : 0.1 * (Math.abs(high) || 1);
-  return [low - air, high + air];
+  }
+  return found;
 }

@@ -1,7 +1,7 @@
 /** Which plots stand there: the person's own, those of the case, or what suits the motion. */
 import type { Motion } from '../../app/runs/motion.ts';
 import type { PlotPane, PlotsState } from '../../app/state/plotPanes.ts';
-import { columnsOf } from '../../core/motion/columns.ts';
+import { columnsOf, groundCoordinates } from '../../core/motion/columns.ts';
 import { cases } from '../../core/systems/registry.ts';
 import { text } from './words.ts';
 
@@ -68,4 +68,37 @@ function general({ system, trajectory }: Motion): PlotPane[] {
       : [{ title: text.names.positions, x: 't', y: lengths }]),
     { title: text.names.rates, x: 't', y: rates },
   ].filter((pane) => pane.y.length > 0);
+}
+
+export interface Preset {
+  id: string;
+  pane: PlotPane;
+}
+
+/** Ready plots that this motion has the columns for; phase portraits apart. */
+export function presetsOf(motion: Motion): { ready: Preset[]; phases: Preset[] } {
+  const { system, trajectory, constraints } = motion;
+  const { coordinates, inputs, sums = [] } = system.meta;
+  const columns = columnsOf(system, trajectory.columns, constraints !== null);
+  const names = new Set(columns.map((c) => c.name));
+  const ground = groundCoordinates(system.meta);
+  const over = (id: string, title: string, y: readonly string[], x = 't', equal = false): Preset[] => {
+    const there = y.filter((name) => names.has(name));
+    return names.has(x) && there.length > 0 ? [{ id, pane: { title, x, y: there, ...(equal ? { equal } : {}) } }] : [];
+  };
+  const { names: titles } = text;
+  return {
+    ready: [
+      ...over('rolls', titles.rolls, sums.map((s) => s.name)),
+      ...over('energy', titles.energy, ['energy', 'kinetic', 'potential']),
+      ...(ground.length === 2 ? over('path', titles.path, [ground[1]!], ground[0]!, true) : []),
+      ...over('length', titles.length, ['path', 'speed']),
+      ...over('forces', titles.forces, columns.filter((c) => c.group === 'forces').map((c) => c.name)),
+      ...over('effort', titles.inputs, inputs.map((i) => i.name)),
+      ...over('power', titles.power, ['power', 'work']),
+    ],
+    phases: [...coordinates, ...sums].flatMap(({ name, label }) =>
+      names.has(`${name}_dot`) ? over(`phase-${name}`, text.phase(label), [`${name}_dot`], name) : [],
+    ),
+  };
 }

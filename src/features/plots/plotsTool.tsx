@@ -10,7 +10,7 @@ import { useDeferred, useLagging } from '../../ui/kit/deferred.ts';
 import { columnsOf, type Column } from '../../core/motion/columns.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
 import { PaneView } from './paneView.tsx';
-import { keyOf, panesOf, suggested } from './panes.ts';
+import { keyOf, panesOf, presetsOf, suggested } from './panes.ts';
 import './plots.css';
 
 export function PlotsTool() {
@@ -44,6 +44,7 @@ function Plots({ motion }: { motion: Motion }) {
         <button type="button" data-testid="plots-add" onClick={add}>
           {text.add}
         </button>
+        <Presets motion={motion} onAdd={(pane) => change([...panes, pane])} />
         <button
           type="button"
           data-testid="plots-case"
@@ -81,7 +82,6 @@ function Plots({ motion }: { motion: Motion }) {
           key={i}
           pane={pane}
           motion={motion}
-          columns={columns}
           choices={choices}
           values={values}
           range={range}
@@ -94,5 +94,37 @@ function Plots({ motion }: { motion: Motion }) {
         <p class="hint">{suggested(motion, caseId).length > 0 ? text.ofCase : text.empty}</p>
       )}
     </div>
+  );
+}
+
+/** Plots that are asked for often. */
+function Presets({ motion, onAdd }: { motion: Motion; onAdd(pane: PlotPane): void }) {
+  const { ready, phases } = presetsOf(motion);
+  return (
+    <select
+      value=""
+      class="plots-preset"
+      aria-label={text.presets}
+      data-testid="plots-preset"
+      onChange={(e) => {
+        const chosen = [...ready, ...phases].find(({ id }) => id === e.currentTarget.value);
+        e.currentTarget.value = '';
+        if (chosen) onAdd(chosen.pane);
+      }}
+    >
+      <option value="">{text.preset}</option>
+      {[
+        [text.presets, ready] as const,
+        [text.phases, phases] as const,
+      ].map(([label, presets]) => (
+        <optgroup key={label} label={label}>
+          {presets.map(({ id, pane }) => (
+            <option key={id} value={id}>
+              {pane.title}
+            </option>
+          ))}
+        </optgroup>
+      ))}
+    </select>
   );
 }

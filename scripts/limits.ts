@@ -1,7 +1,8 @@
 // npm run limits: the largest lean and push from which the balanced board recovers, against speed, into docs/limits/ as CSV and SVG.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { degrees, largest, leanTest, pushTest, type Balance } from '../src/cli/bench/recovery.ts';
-import { plotSheet, type Line } from '../src/charts/svgPlot.ts';
+import { plotSheet, type Line } from '../src/charts/sheet.ts';
+import { words } from '../src/core/motion/symbols.ts';
 
 const SPEEDS = [0.5, 0.75, 1, 1.5, 2, 3, 4, 5];
 const BOTH = ['tau_fc', 'tau_bc'];
@@ -51,7 +52,7 @@ function write(name: string, unit: string, rows: readonly Row[]): void {
 function linesBy(rows: readonly Row[], key: (r: Row) => string, y: (survived: number) => number = (s) => s): Line[] {
   return [...new Set(rows.map(key))].map((label) => {
     const chosen = rows.filter((r) => key(r) === label && r.survived > 0);
-    return { label, x: chosen.map((r) => r.speed), y: chosen.map((r) => y(r.survived)) };
+    return { label: words(label), x: chosen.map((r) => r.speed), y: chosen.map((r) => y(r.survived)) };
   });
 }
 
@@ -72,20 +73,20 @@ writeFileSync(
   plotSheet([
     {
       title: 'Largest lean it recovers from, by limit of each motor',
-      xLabel: 'speed, m/s',
-      yLabel: 'lean of both plates, °',
+      xLabel: words('speed, m/s'),
+      yLabel: words('lean of both plates, °'),
       lines: linesBy(lean, limited),
     },
     {
       title: 'Largest push, N·m on each plate',
-      xLabel: 'speed, m/s',
-      yLabel: 'two Gaussians of opposite sign, N·m',
+      xLabel: words('speed, m/s'),
+      yLabel: words('two Gaussians of opposite sign, N·m'),
       lines: linesBy(push, limited),
     },
     {
       title: 'Largest lean, by motor (no limit)',
-      xLabel: 'speed, m/s',
-      yLabel: 'log10 of the lean in °',
+      xLabel: words('speed, m/s'),
+      yLabel: words('log10 of the lean in °'),
       lines: linesBy(single, (r) => names[r.motors]!, Math.log10),
     },
   ]),

@@ -5,10 +5,13 @@ import type { Case, CasePlot } from '../src/core/cases/case.ts';
 import { caseColumns, measured } from '../src/core/motion/caseMeasures.ts';
 import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { compileExpression } from '../src/core/scenario/expressions.ts';
+import { axisText, columnOf, symbolOf } from '../src/core/motion/columns.ts';
+import { words } from '../src/core/motion/symbols.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
+import type { System } from '../src/core/model/system.ts';
 import { systems } from '../src/core/systems/all.ts';
-import { plotSheet, type LinePlotSpec } from '../src/charts/svgPlot.ts';
+import { plotSheet, type LinePlotSpec } from '../src/charts/sheet.ts';
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
 /** Points of a curve in closed form. */
@@ -30,31 +33,34 @@ function finished({ scenario: file }: Case): { column: Column; simulation: Simul
   return { column: caseColumns(system, scenario.parameters, (name) => recorded.get(name)), simulation };
 }
 
-function plotOf(plot: CasePlot, column: Column): LinePlotSpec {
+function plotOf(plot: CasePlot, column: Column, { meta, contacts }: System): LinePlotSpec {
   const factor = plot.unit === 'deg' ? PER_DEGREE : 1;
   const x = column(plot.x);
-  const lines = plot.y.map((name) => ({ label: name, x, y: column(name).map((v) => factor * v) }));
+  const infos = plot.y.map((name) => columnOf(meta, name, contacts));
+  const lines = plot.y.map((name, i) => ({ label: symbolOf(infos[i]!), x, y: column(name).map((v) => factor * v) }));
   if (plot.exact) {
     const { evaluate } = compileExpression(plot.exact.expression, { variables: ['t'] });
     const end = Math.min(plot.to ?? Infinity, x.at(-1)!);
     const t = Float64Array.from({ length: EXACT_POINTS + 1 }, (_, i) => (i * end) / EXACT_POINTS);
-    lines.push({ label: plot.exact.label, x: t, y: t.map((time) => factor * evaluate(time)) });
+    lines.push({ label: words(plot.exact.label), x: t, y: t.map((time) => factor * evaluate(time)) });
   }
-  const unit = { deg: '°', '1': '' }[plot.unit as string] ?? plot.unit;
   return {
     title: plot.title,
     lines,
     to: plot.to,
     equal: plot.equal,
-    xLabel: plot.x === 't' ? 't, s' : plot.x,
-    yLabel: `${plot.y.join(', ')}${unit ? `, ${unit}` : ''}`,
+    xLabel: axisText([columnOf(meta, plot.x, contacts)], true),
+    yLabel: axisText(infos, plot.unit === 'deg'),
   };
 }
 
 function section(one: Case): string {
   const { column, simulation } = finished(one);
   const { id, title, source, look, published = [], plots = [], figures = [] } = one;
-  writeFileSync(new URL(`${id}.svg`, folder), plotSheet(plots.map((plot) => plotOf(plot, column))));
+  writeFileSync(
+    new URL(`${id}.svg`, folder),
+    plotSheet(plots.map((plot) => plotOf(plot, column, systems[one.scenario.system]!))),
+  );
   const { reason, time } = simulation.end!;
   const numbers = published.map(
     ({ what, measure, value, unit = '', tolerance, source: from }) =>

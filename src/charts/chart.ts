@@ -265,7 +265,10 @@ export function tableOf(picture: Picture, [from, to]: readonly [number, number])
 }
 
 /** Rows of a path at even distances in the record. */
-function pathColumns({ x: axis }: Picture, { label, x, y, xFactor = 1, yFactor = 1 }: CurveMark['curve']): TableColumn[] {
+function pathColumns(
+  { x: axis }: Picture,
+  { label, x, y, xFactor = 1, yFactor = 1 }: CurveMark['curve'],
+): TableColumn[] {
   const rows = Math.min(TABLE_ROWS, x.length);
   const at = (i: number): number => Math.round((i * (x.length - 1)) / Math.max(1, rows - 1));
   const list = (values: ArrayLike<number>, factor: number): number[] =>

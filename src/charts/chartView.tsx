@@ -85,7 +85,9 @@ export function ChartView(props: ChartViewProps) {
       >
         {frame.value && props.children?.(frame.value)}
       </div>
-      {open.value && <Table columns={() => props.values?.() ?? chart.current?.table() ?? []} drawn={drawn} label={label} />}
+      {open.value && (
+        <Table columns={() => props.values?.() ?? chart.current?.table() ?? []} drawn={drawn} label={label} />
+      )}
     </>
   );
 }

@@ -64,6 +64,8 @@ export const fromX = ({ left, width, x }: Frame, px: number): number => x.value(
 export const fromY = ({ top, height, y }: Frame, px: number): number => y.value(1 - (px - top) / height);
 
 const AIR = 0.06;
+/** Wide enough for most numbers, so that most charts stand in line, px. */
+const LEFT = 56;
 const RIGHT = 12;
 const TOP = 8;
 const TITLE = 18;
@@ -94,7 +96,7 @@ export function frameOf(
     const scale = scaleOf(y, range);
     return Math.max(0, ...scale.ticks(height / ROOM.y).map((tick) => widthOf(surface, words(scale.text(tick)))));
   };
-  const left = 8 * Math.ceil((widest(yRange) + 10 + (y.title.length > 0 ? TITLE : 0)) / 8);
+  const left = Math.max(LEFT, 8 * Math.ceil((widest(yRange) + 10 + (y.title.length > 0 ? TITLE : 0)) / 8));
   const width = Math.max(SMALLEST.width, size.width - left - RIGHT - (bar ? BAR : 0));
   if (equal) {
     const perPixel = Math.max((xRange[1] - xRange[0]) / width, (yRange[1] - yRange[0]) / height);
@@ -106,7 +108,12 @@ export function frameOf(
 const around = ([low, high]: Range, half: number): Range => [(low + high) / 2 - half, (low + high) / 2 + half];
 
 /** What an axis shows: what is zoomed to, what it says itself, or what the marks need. */
-export function rangeOf({ marks, ...axes }: Picture, along: 'x' | 'y', within: Range | null, zoom: Range | null): Range {
+export function rangeOf(
+  { marks, ...axes }: Picture,
+  along: 'x' | 'y',
+  within: Range | null,
+  zoom: Range | null,
+): Range {
   if (zoom) return zoom;
   const { range, zero, air = AIR, kind } = axes[along];
   if (range) return range;
@@ -151,7 +158,6 @@ function axes(surface: Surface, frame: Frame, { x, y }: Picture, theme: Theme): 
     surface.moveTo(at, x.kind === 'steps' ? bottom : top);
     surface.lineTo(at, bottom + 3);
     drawText(surface, words(short(frame.x.text(tick), 12)), at, bottom + 11, 'center');
-    surface.strokeStyle = theme.line;
   }
   surface.stroke();
   surface.beginPath();
@@ -183,7 +189,12 @@ function bar(surface: Surface, frame: Frame, { low, high, colour }: NonNullable<
   surface.fillStyle = theme.ink;
   const scale = scaleOf({}, high > low ? [low, high] : [low - 1, low + 1]);
   for (const tick of high > low ? scale.ticks(height / ROOM.y) : [low])
-    drawText(surface, words(scale.text(Number(tick.toPrecision(6)))), left + 16, top + height * (1 - scale.share(tick)));
+    drawText(
+      surface,
+      words(scale.text(Number(tick.toPrecision(6)))),
+      left + 16,
+      top + height * (1 - scale.share(tick)),
+    );
 }
 
 const short = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most - 1)}…` : text);

@@ -59,7 +59,12 @@ export function attachGestures(area: HTMLElement, target: GestureTarget): () => 
     }
     const onLine = target.cursorX !== null && Math.abs(target.cursorX - from[0]) <= REACH;
     const touched = event.pointerType === 'touch' && target.alongX;
-    press = { from, far: false, frame: target.frame, kind: event.shiftKey ? 'pan' : onLine || touched ? 'seek' : 'zoom' };
+    press = {
+      from,
+      far: false,
+      frame: target.frame,
+      kind: event.shiftKey ? 'pan' : onLine || touched ? 'seek' : 'zoom',
+    };
   };
   const move = (event: PointerEvent): void => {
     const to = at(event);
@@ -137,10 +142,7 @@ export function attachGestures(area: HTMLElement, target: GestureTarget): () => 
 /** Whether the key was one of the chart's. */
 export function chartKey(key: string, target: GestureTarget): boolean {
   const { frame } = target;
-  const about: Pair = [
-    target.cursorX ?? frame.left + frame.width / 2,
-    frame.top + frame.height / 2,
-  ];
+  const about: Pair = [target.cursorX ?? frame.left + frame.width / 2, frame.top + frame.height / 2];
   if (key === '+' || key === '=') zoomAbout(target, 1 / FACTOR, about);
   else if (key === '-' || key === '−') zoomAbout(target, FACTOR, about);
   else if (key === '0') target.setZoom(NONE);
@@ -193,10 +195,7 @@ function limited({ whole, alongX, zoom, frame }: GestureTarget, next: Zoom): Zoo
   if (all && (alongX || (next.y && next.y[0] <= whole.y[0] && next.y[1] >= whole.y[1]))) return NONE;
   if (!alongX) return next;
   if (span(x) >= span(whole.x)) return NONE;
-  const shift = (a: number): Range => [
-    frame.x.value(frame.x.share(x[0]) + a),
-    frame.x.value(frame.x.share(x[1]) + a),
-  ];
+  const shift = (a: number): Range => [frame.x.value(frame.x.share(x[0]) + a), frame.x.value(frame.x.share(x[1]) + a)];
   const kept =
     x[0] < whole.x[0]
       ? shift(frame.x.share(whole.x[0]) - frame.x.share(x[0]))

@@ -104,7 +104,8 @@ function stepTicks(low: number, high: number, count: number, most: number): numb
 export function tickText(x: number): string {
   const size = Math.abs(x);
   const rounded = Number(x.toPrecision(12)) + 0;
-  const plain = size !== 0 && (size < 1e-3 || size >= 1e5) ? rounded.toExponential().replace('e+', 'e') : String(rounded);
+  const plain =
+    size !== 0 && (size < 1e-3 || size >= 1e5) ? rounded.toExponential().replace('e+', 'e') : String(rounded);
   return plain.replaceAll('-', '\u2212');
 }
 

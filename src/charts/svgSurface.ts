@@ -85,9 +85,7 @@ export class SvgSurface implements Surface {
     );
   }
   strokeRect(x: number, y: number, w: number, h: number): void {
-    this.out.push(
-      `<rect x="${px(x)}" y="${px(y)}" width="${px(w)}" height="${px(h)}" fill="none"${this.strokes()}/>`,
-    );
+    this.out.push(`<rect x="${px(x)}" y="${px(y)}" width="${px(w)}" height="${px(h)}" fill="none"${this.strokes()}/>`);
   }
   fillText(text: string, x: number, y: number): void {
     const size = this.size();

@@ -6,7 +6,9 @@ export function TextView({ of }: { of: Text }) {
     <span class="typeset">
       {of.map((run, i) =>
         run.sub ? (
-          <sub key={i}>{run.text}</sub>
+          <sub key={i} class={classOf(run)}>
+            {run.text}
+          </sub>
         ) : (
           <span key={i} class={classOf(run)}>
             {run.text}

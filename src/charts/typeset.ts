@@ -9,7 +9,7 @@ const WORDS = 'system-ui, sans-serif';
 const LETTERS = "'STIX Two Text', 'Cambria Math', Cambria, Georgia, 'Times New Roman', serif";
 
 const fontOf = ({ sub, math }: TextRun): string =>
-  math ? `italic ${FONT_SIZE + 2}px ${LETTERS}` : `${sub ? SUB_SIZE : FONT_SIZE}px ${WORDS}`;
+  math ? `italic ${sub ? SUB_SIZE + 1 : FONT_SIZE + 2}px ${LETTERS}` : `${sub ? SUB_SIZE : FONT_SIZE}px ${WORDS}`;
 
 function widthsOf(surface: Surface, text: Text): number[] {
   return text.map((run) => {

@@ -25,7 +25,8 @@ export function symbolText(symbol: string, rate = false): Text {
   const base = cut < 0 ? symbol : symbol.slice(0, cut);
   const sub = cut < 0 ? '' : symbol.slice(cut + 1);
   const first: TextRun = { text: base, ...(SLANTED.test(base) ? { math: true } : {}), ...(rate ? { dot: true } : {}) };
-  return sub === '' ? [first] : [first, { text: sub, sub: true }];
+  if (sub === '') return [first];
+  return [first, { text: sub, sub: true, ...(first.math && /^[A-Za-z]+$/.test(sub) ? { math: true } : {}) }];
 }
 
 /** Words as they are. */

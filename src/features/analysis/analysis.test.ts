@@ -6,7 +6,7 @@ import { ScenarioError, type ScenarioFile } from '../../core/scenario/types.ts';
 import { systems } from '../../core/systems/all.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, reachRows } from './modes.ts';
 import { analysedPart, pointOf, pointPath, stateNames, withPoint } from './names.ts';
-import { bendOf, extent, isWide, linearScale, logarithmicScale, niceStep } from './planeScale.ts';
+import { bendOf, extent, isWide } from './planeScale.ts';
 import { offeredRange, subjectsOf } from './subjects.ts';
 import { scenarioOf } from '../../../tests/helpers.ts';
 
@@ -86,25 +86,7 @@ describe('the operating point in a draft', () => {
 });
 
 describe('scales', () => {
-  test('linear ticks are round and inside', () => {
-    const { ticks, place } = linearScale(-12.7, 9.4);
-    expect(ticks).toEqual([-10, -5, 0, 5]);
-    expect([place(-12.7), place(9.4)]).toEqual([0, 1]);
-  });
-
-  test('the logarithmic scale is odd, rises, and has powers of ten as ticks', () => {
-    const { ticks, place } = logarithmicScale(-1000, 1000, 1);
-    expect(ticks).toEqual([-1000, -100, -10, -1, 0, 1, 10, 100, 1000]);
-    expect(place(0)).toBeCloseTo(0.5, 15);
-    const places = ticks.map(place);
-    places.forEach((p, i) => {
-      expect(p + places.at(-1 - i)!).toBeCloseTo(1, 12);
-      if (i > 0) expect(p).toBeGreaterThan(places[i - 1]!);
-    });
-  });
-
   test('small things', () => {
-    expect([niceStep(0.03), niceStep(1), niceStep(7)]).toEqual([0.05, 1, 10]);
     expect([isWide([1, 2, 0]), isWide([1, 1000]), isWide([0])]).toEqual([false, true, false]);
     expect([bendOf([]), bendOf([0, 3, 40]), bendOf([1e-8, 500])]).toEqual([1, 1, 0.1]);
     const [low, high] = extent([-10, -5]);

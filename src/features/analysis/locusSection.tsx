@@ -119,15 +119,7 @@ function parametersOf(draft: ScenarioFile, { meta }: SystemView): Scenario['para
   return { ...Object.fromEntries(meta.parameters.map((p) => [p.name, p.default])), ...set, ...named };
 }
 
-function Locus({
-  done: { locus, subject },
-  save,
-  stale,
-}: {
-  done: Done;
-  save: SaveText;
-  stale: boolean;
-}) {
+function Locus({ done: { locus, subject }, save, stale }: { done: Done; save: SaveText; stale: boolean }) {
   const index = useSignal(Math.floor(locus.values.length / 2));
   const sizes = locus.branches.flatMap((branch) => branch.map((e) => Math.hypot(...e)));
   const wide = isWide(sizes.filter((x) => x > 1e-3 * Math.max(...sizes)));

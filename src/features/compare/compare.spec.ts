@@ -66,7 +66,7 @@ test('runs are kept, overlaid, subtracted and shown as ghosts; a file stands bes
   await expect(id('overlay-reset')).toHaveCount(0);
   await id('overlay-x').selectOption('X');
   await id('overlay-y-0').selectOption('Y');
-  await expect(id('overlay-plot-0')).toHaveAccessibleName(/Y \[m\] against X \[m\], 2 curves/);
+  await expect(id('overlay-plot-0')).toHaveAccessibleName(/to the left, m against .*forward, m, 2 curves/);
 
   // The ghost is five more bodies in the picture, without shadows.
   const alone = await triangles(page);

@@ -6,8 +6,16 @@ import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark } from '../../charts/curves.ts';
 import { TextView } from '../../charts/textView.tsx';
 import { token } from '../../charts/tokens.ts';
-import { axisText, columnOf, shownFactor, shownUnit, spoken, symbolOf, type Column } from '../../core/motion/columns.ts';
-import { words as plain } from '../../core/motion/symbols.ts';
+import {
+  axisText,
+  columnOf,
+  shownFactor,
+  shownUnit,
+  spoken,
+  symbolOf,
+  type Column,
+} from '../../core/motion/columns.ts';
+import { symbolText, words as plain } from '../../core/motion/symbols.ts';
 import { commonTimes, differenceOf, type Difference } from '../../core/motion/difference.ts';
 import { words } from './words.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
@@ -231,7 +239,7 @@ function DifferencePlot({ line: { info, difference } }: { line: Line }) {
       update={(chart) =>
         void requestAnimationFrame(() =>
           chart.setPicture({
-            x: { title: plain('t, s'), air: 0 },
+            x: { title: [...symbolText('t'), ...plain(', s')], air: 0 },
             y: { title },
             marks: [
               curveMark({

@@ -70,6 +70,12 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
           </button>
         )}
         <span class="spring" />
+        <Check
+          label={words.degrees}
+          testId="overlay-degrees"
+          checked={degrees}
+          onChange={(on) => app.actions.set('plots', { ...app.state.plots.peek(), degrees: on })}
+        />
         {panes.value.length < MOST_PANES && (
           <button
             type="button"

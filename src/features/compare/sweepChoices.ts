@@ -132,7 +132,8 @@ export function measureInfo(measure: SweepMeasure, meta: SystemMeta, degrees: bo
 }
 
 /** With its unit, as it stands at an axis or over a column. */
-export const titleOf = ({ title, unit }: MeasureInfo): Text => (unit === '' ? title : [...title, ...plain(`, ${unit}`)]);
+export const titleOf = ({ title, unit }: MeasureInfo): Text =>
+  unit === '' ? title : [...title, ...plain(`, ${unit}`)];
 
 export const measureText = (x: number): string =>
   Number.isNaN(x)

@@ -58,7 +58,10 @@ export function SweepMap(view: SweepView) {
           axis.angle ? (axis.values[i]!.value * 180) / Math.PI : axis.values[i]!.value;
         return [
           { title: plain(labelOf(first)), values: [...values.keys()].map((job) => number(first, job % wide)) },
-          { title: plain(labelOf(second)), values: [...values.keys()].map((job) => number(second, Math.floor(job / wide))) },
+          {
+            title: plain(labelOf(second)),
+            values: [...values.keys()].map((job) => number(second, Math.floor(job / wide))),
+          },
           { title, values: [...values] },
         ];
       }}

@@ -46,8 +46,7 @@ export function SweepTable({
               ))}
               {infos.map((m) => (
                 <th key={m.id} scope="col">
-                  {m.label}
-                  {unit(m.unit)}
+                  <TextView of={titleOf(m)} />
                 </th>
               ))}
               <th scope="col">{own.ended}</th>

@@ -26,6 +26,7 @@ export const words = {
   computing: 'computing',
   ended: 'ended',
   overlay: 'Overlay',
+  degrees: 'degrees',
   against: 'Against',
   time: 'time',
   curve: 'Curve',

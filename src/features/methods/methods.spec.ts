@@ -15,12 +15,12 @@ test('methods are compared on the scenario in the panel: table, curves, cancel, 
   const row = (id: string) => page.getByTestId(`method-row-${id}`);
   for (const id of CHOSEN) await row(id).getByRole('checkbox').check();
   await page.getByTestId('methods-run').click();
-  for (const id of CHOSEN) await expect(row(id).locator('.why')).toHaveText('touchdown');
+  for (const id of CHOSEN) await expect(row(id).locator('.why span')).toHaveText('touchdown');
   await expect(page.getByTestId('methods-cancel')).toBeDisabled();
   await expect(page.getByTestId('methods-plot').locator('canvas')).toBeVisible();
 
   // All of them fall at the same moment.
-  const reached = await Promise.all(CHOSEN.map(async (id) => Number(await row(id).locator('td').nth(2).innerText())));
+  const reached = await Promise.all(CHOSEN.map(async (id) => Number(await row(id).locator('.reached').innerText())));
   for (const t of reached) expect(t).toBeCloseTo(0.5243, 3);
 
   const [file] = await Promise.all([page.waitForEvent('download'), page.getByTestId('methods-csv').click()]);

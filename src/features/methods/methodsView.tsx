@@ -1,7 +1,8 @@
 /** One scenario, many methods: the report's Table 1, live. */
 import { useComputed, useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
+import { download } from '../../app/files/download.ts';
 import type { Comparison, Outcome } from '../../app/runs/comparison.ts';
 import { methodSets, type MethodChoice, type MethodSet } from '../../core/cases/methodSets.ts';
 import type { MethodOptions } from '../../core/scenario/types.ts';
@@ -10,19 +11,14 @@ import { Check } from '../../ui/kit/controls.tsx';
 import { CURVES } from '../../app/runs/curveStyles.ts';
 import { formatCount, formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';
+import type { Chart } from '../../charts/chart.ts';
+import { columnOf } from '../../core/motion/columns.ts';
+import { MethodChart, PRECISION } from './methodChart.tsx';
 import { words } from './words.ts';
 
 export interface MethodsProps {
   comparison: Comparison;
-  /** Draws the curves of a column into an element; returns how to end it. */
-  plot(
-    host: HTMLElement,
-    comparison: Comparison,
-    column: string,
-    style: (index: number) => (typeof CURVES)[number],
-  ): () => void;
   saveTable(outcomes: readonly Outcome[]): void;
-  savePicture(host: HTMLElement): void;
 }
 
 export function Methods(props: MethodsProps) {
@@ -50,7 +46,7 @@ export function Methods(props: MethodsProps) {
   );
 }
 
-function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: MethodsProps & { set: MethodSet }) {
+function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: MethodSet }) {
   const ui = useUi();
   const all = set.choices.filter(
     ({ method }) =>
@@ -59,13 +55,18 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
   );
   const chosen = useSignal<ReadonlySet<string>>(new Set(set.chosen));
   const settings = useSignal<ReadonlyMap<string, Partial<MethodOptions>>>(new Map());
-  const { order, coordinates } = ui.app.systemOf(set.scenario?.system ?? ui.app.state.draft.value.system)!.meta;
-  const columns = [...(order === 1 ? [] : ['energy', 'residual']), ...coordinates.map((c) => c.name)];
+  const { meta } = ui.app.systemOf(set.scenario?.system ?? ui.app.state.draft.value.system)!;
+  const { order, coordinates } = meta;
+  const columns = [...(order === 1 ? [] : ['energy', 'residual', PRECISION]), ...coordinates.map((c) => c.name)];
   const column = useSignal(columns.includes(set.column) ? set.column : coordinates[0]!.name);
   const projection = useSignal(true);
   const problem = useSignal('');
   const busy = useComputed(() => comparison.busy);
-  const figure = useRef<HTMLDivElement>(null);
+  const chart = useRef<Chart | null>(null);
+  const save = async () => {
+    const blob = await chart.current?.png();
+    if (blob) download('methods.png', [blob], 'image/png');
+  };
   const start = () => {
     problem.value = '';
     try {
@@ -141,7 +142,7 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           >
             {columns.map((c) => (
               <option key={c} value={c}>
-                {c}
+                {c === PRECISION ? words.precision : columnOf(meta, c).label}
               </option>
             ))}
           </select>
@@ -167,14 +168,19 @@ function SetOfMethods({ comparison, plot, saveTable, savePicture, set }: Methods
           type="button"
           data-testid="methods-png"
           disabled={comparison.outcomes.value.length === 0}
-          onClick={() => savePicture(figure.current!)}
+          onClick={() => void save()}
         >
           {words.png}
         </button>
       </div>
-      <div ref={figure}>
-        <Curves key={column.value} comparison={comparison} column={column.value} plot={plot} />
-      </div>
+      <MethodChart
+        comparison={comparison}
+        column={column.value}
+        meta={meta}
+        onChart={(made) => {
+          chart.current = made;
+        }}
+      />
     </div>
   );
 }
@@ -221,38 +227,45 @@ function Row({
             />
           </svg>
         )}
+        <span class="settings">
+          {keys.map((key) => (
+            <label key={key}>
+              {key}{' '}
+              <input
+                type="text"
+                inputMode="decimal"
+                value={short(settings[key]!)}
+                aria-label={`${choice.label}, ${key}`}
+                onChange={(event) => {
+                  const value = Number(event.currentTarget.value);
+                  if (value > 0 && value < Infinity) onChange(choice.id, key, value);
+                  else event.currentTarget.value = short(settings[key]!);
+                }}
+              />
+            </label>
+          ))}
+        </span>
       </th>
-      <td class="settings">
-        {keys.map((key) => (
-          <label key={key}>
-            {key}{' '}
-            <input
-              type="text"
-              inputMode="decimal"
-              value={short(settings[key]!)}
-              aria-label={`${choice.label}, ${key}`}
-              onChange={(event) => {
-                const value = Number(event.currentTarget.value);
-                if (value > 0 && value < Infinity) onChange(choice.id, key, value);
-                else event.currentTarget.value = short(settings[key]!);
-              }}
-            />
-          </label>
-        ))}
-      </td>
       <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
-      <td>{outcome ? formatShort(outcome.reached, 4) : '–'}</td>
-      <td>{counts ? formatCount(counts.steps) : '–'}</td>
-      <td>{counts ? formatCount(counts.rejected) : '–'}</td>
-      <td>{counts ? formatCount(counts.evaluations) : '–'}</td>
-      <td>{counts ? formatCount(counts.jacobians) : '–'}</td>
       <td>{counts ? formatScientific(counts.energyDrift) : '–'}</td>
       <td>{counts ? formatScientific(counts.residual, 0) : '–'}</td>
+      <td>{counts ? <Pair of={counts.steps} besides={counts.rejected} /> : '–'}</td>
+      <td>{counts ? <Pair of={counts.evaluations} besides={counts.jacobians} /> : '–'}</td>
+      <td class="reached">{outcome ? formatShort(outcome.reached, 4) : '–'}</td>
       <td class="why" title={outcome?.message}>
-        {outcome ? standing(outcome) : ''}
+        {outcome && <span>{standing(outcome)}</span>}
+        {choice.report && <small>{words.report(choice.report.seconds, choice.report.reached)}</small>}
       </td>
-      <td class="report">{choice.report ? words.report(choice.report.seconds, choice.report.reached) : ''}</td>
     </tr>
+  );
+}
+
+/** A count and, in brackets, what belongs to it. */
+function Pair({ of, besides }: { of: number; besides: number }) {
+  return (
+    <>
+      {formatCount(of)} <small>({formatCount(besides)})</small>
+    </>
   );
 }
 
@@ -262,10 +275,4 @@ const short = (x: number): string => (x < 1e-3 ? x.toExponential().replace('.0e'
 function standing(outcome: Outcome): string {
   if (outcome.state === 'ended') return text.status.reasons[outcome.reason] ?? outcome.reason;
   return outcome.state === 'refused' ? outcome.message : words.states[outcome.state];
-}
-
-function Curves({ comparison, column, plot }: { comparison: Comparison; column: string; plot: MethodsProps['plot'] }) {
-  const host = useRef<HTMLDivElement>(null);
-  useEffect(() => plot(host.current!, comparison, column, (i) => CURVES[i % CURVES.length]!), [column]);
-  return <div ref={host} class="methods-plot" data-testid="methods-plot" role="img" aria-label={words.plot(column)} />;
 }

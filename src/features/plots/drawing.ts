@@ -61,10 +61,22 @@ export function pictureOf({ pane, motion, values, range }: PaneProps, degrees: b
 
 const hides = (pane: PaneProps['pane'], name: string): boolean => pane.hidden?.includes(name) ?? false;
 
-function exactCurve({ label, expression }: { label: string; expression: string }, [from, to]: Range, yFactor: number): Curve {
+function exactCurve(
+  { label, expression }: { label: string; expression: string },
+  [from, to]: Range,
+  yFactor: number,
+): Curve {
   const { evaluate } = compileExpression(expression, { variables: ['t'] });
   const x = Float64Array.from({ length: EXACT_POINTS + 1 }, (_, i) => from + ((to - from) * i) / EXACT_POINTS);
-  return { label: words(label), color: '#8a8f98', dash: [2, 2], x, y: x.map((time) => evaluate(time)), yFactor, rising: true };
+  return {
+    label: words(label),
+    color: '#8a8f98',
+    dash: [2, 2],
+    x,
+    y: x.map((time) => evaluate(time)),
+    yFactor,
+    rising: true,
+  };
 }
 
 /** Where the motion is, on every curve of a plot over something else than time. */

@@ -89,12 +89,24 @@ export function presetsOf(motion: Motion): { ready: Preset[]; phases: Preset[] }
   const { names: titles } = text;
   return {
     ready: [
-      ...over('rolls', titles.rolls, sums.map((s) => s.name)),
+      ...over(
+        'rolls',
+        titles.rolls,
+        sums.map((s) => s.name),
+      ),
       ...over('energy', titles.energy, ['energy', 'kinetic', 'potential']),
       ...(ground.length === 2 ? over('path', titles.path, [ground[1]!], ground[0]!, true) : []),
       ...over('length', titles.length, ['path', 'speed']),
-      ...over('forces', titles.forces, columns.filter((c) => c.group === 'forces').map((c) => c.name)),
-      ...over('effort', titles.inputs, inputs.map((i) => i.name)),
+      ...over(
+        'forces',
+        titles.forces,
+        columns.filter((c) => c.group === 'forces').map((c) => c.name),
+      ),
+      ...over(
+        'effort',
+        titles.inputs,
+        inputs.map((i) => i.name),
+      ),
       ...over('power', titles.power, ['power', 'work']),
     ],
     phases: [...coordinates, ...sums].flatMap(({ name, label }) =>

@@ -24,9 +24,10 @@ test('plots of a case: shared time, zoom, legend, units, other axes, saved', asy
   await page.getByTestId('plots-degrees').check();
 
   // A click goes there, in scene and transport too.
-  const over = pane(page, 0).locator('.u-over');
+  const over = pane(page, 0).getByTestId('plot-canvas');
   const box = (await over.boundingBox())!;
-  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const [left, right] = [box.x + 56, box.x + box.width - 12];
+  await page.mouse.click((left + right) / 2, box.y + box.height / 2);
   expect(await time(page)).toBeCloseTo(7.5, 1);
 
   // Dragging zooms all plots over time, zero shows all again.
@@ -51,7 +52,7 @@ test('plots of a case: shared time, zoom, legend, units, other axes, saved', asy
   await expect(pane(page, 0).getByTestId('legend-psi_dot')).toHaveAttribute('aria-pressed', 'false');
   await pane(page, 0).getByTestId('plot-x').selectOption('psi');
   await pane(page, 0).getByTestId('plot-table').click();
-  await expect(pane(page, 0).getByTestId('plot-values').locator('tbody tr')).toHaveCount(21);
+  await expect(pane(page, 0).getByTestId('chart-values').locator('tbody tr')).toHaveCount(21);
 
   await pane(page, 0).getByTestId('plot-save').click();
   const [csv] = await Promise.all([page.waitForEvent('download'), page.getByTestId('plot-csv').click()]);

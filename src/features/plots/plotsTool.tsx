@@ -113,10 +113,7 @@ function Presets({ motion, onAdd }: { motion: Motion; onAdd(pane: PlotPane): voi
       }}
     >
       <option value="">{text.preset}</option>
-      {[
-        [text.presets, ready] as const,
-        [text.phases, phases] as const,
-      ].map(([label, presets]) => (
+      {[[text.presets, ready] as const, [text.phases, phases] as const].map(([label, presets]) => (
         <optgroup key={label} label={label}>
           {presets.map(({ id, pane }) => (
             <option key={id} value={id}>

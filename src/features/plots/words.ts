@@ -33,8 +33,7 @@ export const text = {
   table: 'Table',
   hide: (name: string) => `${name}: show or hide`,
   isolateHint: 'Click: show or hide. Double click: this one alone.',
-  pane: (title: string, curves: string, x: string) =>
-    `${title}: ${curves} over ${x}`,
+  pane: (title: string, curves: string, x: string) => `${title}: ${curves} over ${x}`,
   spent: (joules: string) => `${joules} J put in so far`,
   names: {
     angles: 'Angles',

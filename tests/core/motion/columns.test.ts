@@ -45,7 +45,7 @@ test('every column of every system has a symbol, words and a unit that fits its 
 test('a rate wears a dot, a subscript stands below, words stay words', () => {
   expect(symbolText('α_fp', true)).toEqual([
     { text: 'α', math: true, dot: true },
-    { text: 'fp', sub: true },
+    { text: 'fp', sub: true, math: true },
   ]);
   expect(symbolText('residual')).toEqual([{ text: 'residual' }]);
   expect(plainText(symbolOf(columnOf(ripstik.meta, 'alpha_fp_dot')))).toBe('α\u0307fp');

@@ -33,7 +33,12 @@ const steppers: Readonly<Record<OdeMethodId, Create>> = {
   bdf: (problem, options) => new Bdf(problem, options),
 };
 
-/** A stepper of y' = f(t, y) by its permanent id, or undefined where there is none of that name. */
+/**
+ * A stepper of y' = f(t, y).
+ * @param id permanent id, of `methods.ts`
+ * @returns undefined where there is none of that name
+ * @throws RangeError for a number of stages that the method does not have
+ */
 export function createStepper(id: string, problem: OdeProblem, options: StepperOptions): Stepper | undefined {
   return Object.hasOwn(steppers, id) ? steppers[id as OdeMethodId](problem, options) : undefined;
 }

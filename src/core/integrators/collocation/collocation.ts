@@ -57,7 +57,7 @@ export class Collocation extends AdaptiveOneStep {
 
   override reset(t: number, y: Float64Array): void {
     super.reset(t, y);
-    this.kept.settle(y);
+    this.kept.setConstant(y);
     this.dampTwice = true;
     this.solver.reset();
   }

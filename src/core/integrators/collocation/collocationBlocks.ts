@@ -9,13 +9,25 @@ import { luFactor, luSolve } from '../../linalg/lu.ts';
  */
 export interface Block {
   readonly real: boolean;
-  /** False if the matrix is singular or not finite. `J` (n x n) must stay as it is until it is factored again. */
+  /**
+   * @param h length of the step, s
+   * @param J df/dy, n x n, row-major; must stay as it is until it is factored again
+   * @param secondOrder `isSecondOrder(J)`
+   * @returns false if the matrix is singular or not finite
+   */
   factor(h: number, J: Float64Array, secondOrder: boolean): boolean;
-  /** In place of x + i y (n each); a real block leaves y alone. */
+  /**
+   * Solves in place of x + i y; a real block leaves y alone.
+   * @param x n
+   * @param y n
+   */
   solve(x: Float64Array, y: Float64Array): void;
 }
 
-/** J is [0 I; K D] to the last bit. */
+/**
+ * Whether J is [0 I; K D] to the last bit.
+ * @param J n x n, row-major
+ */
 export function isSecondOrder(J: Float64Array, n: number): boolean {
   if (n % 2 !== 0) return false;
   const half = n / 2;

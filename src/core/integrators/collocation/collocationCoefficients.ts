@@ -46,7 +46,7 @@ export const GAUSS_STAGES = [1, 2, 3, 4] as const;
 export const RADAU_STAGES = [2, 3] as const;
 
 /** Points of the unit interval at which a polynomial is looked at for its largest size. */
-const LOOKS = 1000;
+const SAMPLES = 1000;
 
 /** Zeros of the shifted Legendre polynomial of degree s. */
 function gaussNodes(s: number): number[] {
@@ -62,13 +62,21 @@ function radauNodes(s: number): number[] {
   return s === 2 ? [1 / 3, 1] : [(4 - Math.sqrt(6)) / 10, (4 + Math.sqrt(6)) / 10, 1];
 }
 
-/** @throws RangeError where no such method is at hand */
+/**
+ * Gauss's method, of order 2 s.
+ * @param stages s, 1 to 4
+ * @throws RangeError where there is no such method
+ */
 export function gauss(stages: number): Tableau {
   if (!GAUSS_STAGES.some((s) => s === stages)) throw new RangeError(`gauss: 1 to 4 stages, not ${stages}`);
   return tableau(gaussNodes(stages), 2 * stages);
 }
 
-/** @throws RangeError where no such method is at hand */
+/**
+ * Radau IIA, of order 2 s - 1.
+ * @param stages s, 2 or 3
+ * @throws RangeError where there is no such method
+ */
 export function radau(stages: number): Tableau {
   if (!RADAU_STAGES.some((s) => s === stages)) throw new RangeError(`radau: 2 or 3 stages, not ${stages}`);
   return tableau(radauNodes(stages), 2 * stages - 1);
@@ -116,8 +124,8 @@ function correctionsOf(nodes: number[], depth: 1 | 3): Corrections {
 /** Where in [0, 1] a polynomial is largest in size. */
 function largestAt(polynomial: ArrayLike<number>): number {
   let best = 0;
-  for (let k = 0; k <= LOOKS; k++)
-    if (Math.abs(valueAt(polynomial, k / LOOKS)) > Math.abs(valueAt(polynomial, best))) best = k / LOOKS;
+  for (let k = 0; k <= SAMPLES; k++)
+    if (Math.abs(valueAt(polynomial, k / SAMPLES)) > Math.abs(valueAt(polynomial, best))) best = k / SAMPLES;
   return best;
 }
 
@@ -132,8 +140,10 @@ function slopeWeights(nodes: number[], x: number): Float64Array {
 }
 
 /**
- * Weights into `out` (s) by which u(t0 + x h) - y0 is made from the u(t0 + c_i h) - y0:
- * Lagrange polynomials of the nodes 0, c_1, …, c_s.
+ * Weights by which u(t0 + x h) - y0 is made from the u(t0 + c_i h) - y0: Lagrange polynomials of the nodes 0, c_1, …, c_s.
+ * @param x fraction of the step
+ * @param c nodes, s
+ * @param out s
  */
 export function weightsAt(x: number, c: Float64Array, out: Float64Array): void {
   for (let i = 0; i < c.length; i++) {

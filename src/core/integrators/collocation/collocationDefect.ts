@@ -19,9 +19,9 @@ import type { Counters, OdeProblem } from '../contract.ts';
  */
 
 /** What counts of an error that is made good afterwards: what is delivered then is about as accurate as with `dopri5`. */
-const LENIENCE = 0.3;
+const ESTIMATE_FACTOR = 0.3;
 /** And of the error of methods whose ends are no better. */
-const STRICTNESS = 2;
+const SINGLE_ESTIMATE_FACTOR = 2;
 
 export class CollocationDefect {
   private readonly problem: OdeProblem;
@@ -29,7 +29,7 @@ export class CollocationDefect {
   private readonly tableau: Tableau;
   private readonly stages: StageEquations;
   /** Of the three corrections only the first makes sense. */
-  private readonly shallow: boolean;
+  private readonly single: boolean;
   private readonly start: Float64Array;
   private readonly point: Float64Array;
   private readonly slope: Float64Array;
@@ -40,65 +40,72 @@ export class CollocationDefect {
     this.counters = counters;
     this.tableau = tableau;
     this.stages = stages;
-    this.shallow = tableau.corrections.depth === 1;
+    this.single = tableau.corrections.depth === 1;
     this.start = new Float64Array(n);
     this.point = new Float64Array(n);
     this.slope = new Float64Array(n);
   }
 
   /**
-   * Fills the corrections of the polynomial of a step h from t, where f has the value f0 and the stage equations were
-   * factored for the step `factoredFor`. False where f has no value at the second point; the last correction is zero then.
+   * Fills the corrections of the polynomial of a step.
+   * @param t start of the step, s
+   * @param h its length, s
+   * @param f0 f(t, y), n
+   * @param factoredFor length that the stage equations were factored for, s
+   * @returns false where f has no value at the second point; the last correction is zero then
    */
   measure(t: number, h: number, f0: Float64Array, polynomial: CollocationPolynomial, factoredFor: number): boolean {
     const { start, stages, tableau } = this;
-    const { bend, twist } = polynomial;
+    const { startDefect, propagated } = polynomial;
     defectOf(tableau.startSlope, polynomial.z, f0, h, start);
-    bend.set(start);
-    stages.damp(bend);
-    if (this.shallow) return true;
+    startDefect.set(start);
+    stages.damp(startDefect);
+    if (this.single) return true;
     // With R the damping, (R - 1) / gamma is h J to first order, and 2 - R undoes the damping to first order.
-    twist.set(bend);
-    stages.damp(twist);
+    propagated.set(startDefect);
+    stages.damp(propagated);
     const factor = h / (factoredFor * stages.gamma);
-    for (let i = 0; i < bend.length; i++) {
-      const change = twist[i]! - bend[i]!;
-      bend[i]! -= change;
-      twist[i] = factor * change;
+    for (let i = 0; i < startDefect.length; i++) {
+      const change = propagated[i]! - startDefect[i]!;
+      startDefect[i]! -= change;
+      propagated[i] = factor * change;
     }
-    return this.measureRest(t, h, polynomial);
+    return this.measureSecond(t, h, polynomial);
   }
 
-  private measureRest(t: number, h: number, polynomial: CollocationPolynomial): boolean {
+  private measureSecond(t: number, h: number, polynomial: CollocationPolynomial): boolean {
     const { start, point, slope } = this;
     const { at, slope: weights, m, integral } = this.tableau.corrections;
-    const { rest, twist, z } = polynomial;
-    rest.fill(0);
+    const { secondDefect, propagated, z } = polynomial;
+    secondDefect.fill(0);
     polynomial.at(at, point);
     this.counters.evaluations++;
     if (!this.problem.derivative(t + at * h, point, slope)) return false;
-    defectOf(weights, z, slope, h, rest);
-    for (let i = 0; i < rest.length; i++) rest[i]! -= m * start[i]! + integral * twist[i]!;
-    this.stages.damp(rest);
+    defectOf(weights, z, slope, h, secondDefect);
+    for (let i = 0; i < secondDefect.length; i++) secondDefect[i]! -= m * start[i]! + integral * propagated[i]!;
+    this.stages.damp(secondDefect);
     return true;
   }
 
   /** Damps once more what the estimate is made of. */
   damp(polynomial: CollocationPolynomial): void {
-    const { bend, twist, rest } = polynomial;
-    if (this.shallow) return this.stages.damp(bend);
-    this.stages.damp(twist);
-    this.stages.damp(rest);
+    const { startDefect, propagated, secondDefect } = polynomial;
+    if (this.single) return this.stages.damp(startDefect);
+    this.stages.damp(propagated);
+    this.stages.damp(secondDefect);
   }
 
-  /** Estimated error within the step, as far as it counts, into out (n). */
+  /**
+   * Estimated error within the step, as far as it counts.
+   * @param out n
+   */
   estimate(polynomial: CollocationPolynomial, out: Float64Array): void {
-    const { bend, twist, rest } = polynomial;
+    const { startDefect, propagated, secondDefect } = polynomial;
     const { largest } = this.tableau.corrections;
     for (let i = 0; i < out.length; i++) {
-      out[i] = this.shallow
-        ? STRICTNESS * largest[0] * bend[i]!
-        : LENIENCE * hypotenuse(largest[1] * twist[i]!, largest[2] * rest[i]!);
+      out[i] = this.single
+        ? SINGLE_ESTIMATE_FACTOR * largest[0] * startDefect[i]!
+        : ESTIMATE_FACTOR * hypotenuse(largest[1] * propagated[i]!, largest[2] * secondDefect[i]!);
     }
   }
 }

@@ -11,12 +11,12 @@ import { valueAt } from '../shared/polynomials.ts';
  * measures it at the start and at one more point:
  *
  *   vector    shape                              what it makes good
- *   bend      integral of m                      h d at the start: O(h^(s+1))
- *   twist     the integral of that               h J bend: O(h^(s+2))
- *   rest      integral of N, N = x M             what is left of the defect at one more point: O(h^(s+2))
+ *   startDefect    integral of m          h d at the start: O(h^(s+1))
+ *   propagated     the integral of that   h J startDefect: O(h^(s+2))
+ *   secondDefect   integral of N = x M    what is left of the defect at one more point: O(h^(s+2))
  *
  * The error between the ends then is O(h^(s+3)), or that of y1 if this is larger; an old Jacobian leaves a part of the
- * O(h^(s+2)). For Gauss with one stage and Radau with two, whose ends are of order s + 1, `bend` is all that makes sense,
+ * O(h^(s+2)). For Gauss with one stage and Radau with two, whose ends are of order s + 1, `startDefect` is all that makes sense,
  * and the others are zero. Interpolants from the defect: W. Enright, K. Jackson, S. Nørsett, P. Thomsen, "Interpolants for
  * Runge-Kutta formulas", ACM Trans. Math. Software 12 (1986), 193-218.
  */
@@ -24,9 +24,9 @@ export class CollocationPolynomial {
   /** Increments u(t0 + c_i h) - y0, s x n. */
   readonly z: Float64Array;
   readonly y0: Float64Array;
-  readonly bend: Float64Array;
-  readonly twist: Float64Array;
-  readonly rest: Float64Array;
+  readonly startDefect: Float64Array;
+  readonly propagated: Float64Array;
+  readonly secondDefect: Float64Array;
 
   private readonly tableau: Tableau;
   private readonly weights: Float64Array;
@@ -38,22 +38,28 @@ export class CollocationPolynomial {
     this.tableau = tableau;
     this.z = new Float64Array(s * n);
     this.y0 = new Float64Array(n);
-    this.bend = new Float64Array(n);
-    this.twist = new Float64Array(n);
-    this.rest = new Float64Array(n);
+    this.startDefect = new Float64Array(n);
+    this.propagated = new Float64Array(n);
+    this.secondDefect = new Float64Array(n);
     this.weights = new Float64Array(s);
     this.endWeights = new Float64Array(s);
     weightsAt(1, tableau.c, this.endWeights);
     this.ends = Float64Array.from(tableau.corrections.shapes, (shape) => valueAt(shape, 1));
   }
 
-  /** A standstill at y. */
-  settle(y: Float64Array): void {
+  /**
+   * The constant y.
+   * @param y n
+   */
+  setConstant(y: Float64Array): void {
     this.y0.set(y);
-    for (const part of [this.z, this.bend, this.twist, this.rest]) part.fill(0);
+    for (const part of [this.z, this.startDefect, this.propagated, this.secondDefect]) part.fill(0);
   }
 
-  /** u at the end of the step, y1, into out (n). */
+  /**
+   * u at the end of the step, y1.
+   * @param out n
+   */
   end(out: Float64Array): void {
     const { y0, z, endWeights } = this;
     const n = out.length;
@@ -64,7 +70,11 @@ export class CollocationPolynomial {
     }
   }
 
-  /** The corrected polynomial at x into out (n); it meets both ends. */
+  /**
+   * The corrected polynomial; it meets both ends.
+   * @param x fraction of the step, 0 to 1
+   * @param out n
+   */
   at(x: number, out: Float64Array): void {
     const { weights, ends } = this;
     const { c, corrections } = this.tableau;
@@ -80,8 +90,13 @@ export class CollocationPolynomial {
     for (let i = 0; i < out.length; i++) out[i]! += this.y0[i]!;
   }
 
-  /** How far the polynomial goes from 1 to x beyond it, into out (n from `offset`). */
-  beyond(x: number, out: Float64Array, offset: number): void {
+  /**
+   * The corrected polynomial beyond its end, less what it is there.
+   * @param x fraction of the step, more than 1
+   * @param out receives n values
+   * @param offset from this index on
+   */
+  extrapolate(x: number, out: Float64Array, offset: number): void {
     const { weights, endWeights, ends } = this;
     const { c, corrections } = this.tableau;
     const [first, second, third] = corrections.shapes;
@@ -97,10 +112,10 @@ export class CollocationPolynomial {
   }
 
   private combine(a: number, b: number, c: number, out: Float64Array, offset: number): void {
-    const { z, bend, twist, rest, weights } = this;
-    const n = bend.length;
+    const { z, startDefect, propagated, secondDefect, weights } = this;
+    const n = startDefect.length;
     for (let i = 0; i < n; i++) {
-      let sum = a * bend[i]! + b * twist[i]! + c * rest[i]!;
+      let sum = a * startDefect[i]! + b * propagated[i]! + c * secondDefect[i]!;
       for (let s = 0, at = i; s < weights.length; s++, at += n) sum += weights[s]! * z[at]!;
       out[offset + i] = sum;
     }

@@ -4,10 +4,10 @@ import { StageEquations } from './collocationStages.ts';
 import type { Counters, OdeProblem, StepperOptions } from '../contract.ts';
 import {
   Jacobian,
-  PATIENT_ITERATIONS,
+  MOST_ITERATIONS_FIXED_STEP,
   SimplifiedNewton,
   roundingFloor,
-  tightScale,
+  roundingScale,
   type NewtonOutcome,
 } from '../shared/newton.ts';
 
@@ -39,9 +39,9 @@ const STRETCH_IF_SLOW = 1.1;
  * A rate of convergence belongs to its factors: what is stiff converges like |1 - h / h_f| with factors for h_f. It is
  * measured anew where h is further from h_f by this factor than where it was measured.
  */
-const RATE_HOLDS = 1.02;
+const SAME_MISMATCH = 1.02;
 /** The last polynomial says nothing of a step that reaches further than this many of its own. */
-const REACH = 4;
+const MOST_EXTRAPOLATION = 4;
 
 export class CollocationSolver {
   readonly stages: StageEquations;
@@ -62,7 +62,7 @@ export class CollocationSolver {
   /** The last polynomial may start Newton's method. */
   private guess = false;
   /** How far h was from that of the factors, as a factor of at least 1, when the rate of convergence was last measured. */
-  private ratedAt = 1;
+  private measuredMismatch = 1;
   private t = 0;
   private h = 0;
   private y: Float64Array;
@@ -75,7 +75,7 @@ export class CollocationSolver {
     this.tableau = tableau;
     this.controlled = rtol < Infinity;
     this.newton = new SimplifiedNewton(
-      this.controlled ? MOST_ITERATIONS + MORE_PER_STAGE * Math.max(0, s - 3) : PATIENT_ITERATIONS,
+      this.controlled ? MOST_ITERATIONS + MORE_PER_STAGE * Math.max(0, s - 3) : MOST_ITERATIONS_FIXED_STEP,
     );
     this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / rtol, kappa(rtol)) : KAPPA_EQUAL_STEPS;
     this.floor = this.controlled ? Math.min(0.1, roundingFloor(rtol)) : roundingFloor();
@@ -89,7 +89,7 @@ export class CollocationSolver {
   reset(): void {
     this.factoredFor = 0;
     this.known = this.current = this.guess = false;
-    this.ratedAt = 1;
+    this.measuredMismatch = 1;
     this.newton.reset();
   }
 
@@ -109,8 +109,14 @@ export class CollocationSolver {
   }
 
   /**
-   * Increments of `trial` for a step h from (t, y), where f has the value f0.
-   * @param last the polynomial of the step before, of length h / ratio
+   * Increments of `trial` for a step from (t, y).
+   * @param t s
+   * @param y n
+   * @param f0 f(t, y), n
+   * @param h length of the step, s
+   * @param trial receives y and the increments
+   * @param last the polynomial of the step before
+   * @param ratio h by the length of that step
    */
   solve(
     t: number,
@@ -135,10 +141,10 @@ export class CollocationSolver {
     trial.y0.set(y);
     this.predict(trial, last, ratio);
     // In equal steps no rate is carried over: what is left at the end of one iteration is not looked at again.
-    const apart = Math.max(h / this.factoredFor, this.factoredFor / h);
-    if (!this.controlled || apart > RATE_HOLDS * this.ratedAt) this.newton.reset();
+    const mismatch = Math.max(h / this.factoredFor, this.factoredFor / h);
+    if (!this.controlled || mismatch > SAME_MISMATCH * this.measuredMismatch) this.newton.reset();
     const outcome = this.newton.solve(this.correct, this.tolerance, this.floor);
-    if (this.newton.iterations > 1) this.ratedAt = apart;
+    if (this.newton.iterations > 1) this.measuredMismatch = mismatch;
     return outcome;
   }
 
@@ -166,7 +172,7 @@ export class CollocationSolver {
   private scaleBy(y: Float64Array): void {
     const { rtol, atol } = this.options;
     if (this.controlled) for (let i = 0; i < y.length; i++) this.scale[i] = atol + rtol * Math.abs(y[i]!);
-    else tightScale(y, this.scale);
+    else roundingScale(y, this.scale);
   }
 
   private factorsServe(h: number): boolean {
@@ -183,9 +189,9 @@ export class CollocationSolver {
   /** Increments from the polynomial of the last step, continued beyond its end; else 0. */
   private predict(trial: CollocationPolynomial, last: CollocationPolynomial, ratio: number): void {
     const { stages, c } = this.tableau;
-    this.guess &&= ratio <= REACH;
+    this.guess &&= ratio <= MOST_EXTRAPOLATION;
     if (!this.guess) trial.z.fill(0);
-    else for (let a = 0; a < stages; a++) last.beyond(1 + c[a]! * ratio, trial.z, a * this.y.length);
+    else for (let a = 0; a < stages; a++) last.extrapolate(1 + c[a]! * ratio, trial.z, a * this.y.length);
   }
 
   private readonly correct = (): number => this.stages.correct(this.t, this.y, this.h, this.z, this.scale);

@@ -48,7 +48,12 @@ export class StageEquations {
     this.unused = new Float64Array(n);
   }
 
-  /** Factors for the step h and the Jacobian J (n x n). False where a block is singular. */
+  /**
+   * Factors for a step and a Jacobian.
+   * @param h length of the step, s
+   * @param J df/dy, n x n, row-major
+   * @returns false where a block is singular
+   */
   factor(h: number, J: Float64Array): boolean {
     this.counters.factorizations++;
     const secondOrder = isSecondOrder(J, this.n);
@@ -57,7 +62,12 @@ export class StageEquations {
   }
 
   /**
-   * One iteration for a step h from (t, y): moves the increments z = u(t + c_i h) - y (s x n).
+   * One iteration for a step from (t, y).
+   * @param t s
+   * @param y n
+   * @param h length of the step, s
+   * @param z increments u(t + c_i h) - y, s x n; moved
+   * @param scale one unit of each component, n
    * @returns the scaled norm of how far, NaN where f has no value
    */
   correct(t: number, y: Float64Array, h: number, z: Float64Array, scale: Float64Array): number {
@@ -87,7 +97,10 @@ export class StageEquations {
     return Math.sqrt(sum / (s * n));
   }
 
-  /** (I - h gamma J)^-1 x in place of x (n), or its real part where gamma is complex: damps what is stiff. */
+  /**
+   * (I - h gamma J)^-1 x in place of x, or its real part where gamma is complex: damps what is stiff.
+   * @param x n
+   */
   damp(x: Float64Array): void {
     this.unused.fill(0);
     this.blocks[0]!.solve(x, this.unused);

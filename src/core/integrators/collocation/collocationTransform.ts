@@ -71,7 +71,10 @@ function derivatives(polynomial: number[]): number[][] {
   return list;
 }
 
-/** @param nodes c_1 … c_s */
+/**
+ * Eigenvalues and eigenvectors of the Runge-Kutta matrix of a collocation method.
+ * @param nodes c_1 … c_s
+ */
 export function transformOf(nodes: readonly number[]): Transform {
   const s = nodes.length;
   const M = derivatives(nodePolynomial(nodes));

@@ -4,11 +4,11 @@ import { FixedStepper } from '../shared/fixedStepper.ts';
 import { hermite } from '../shared/interpolation.ts';
 import {
   Jacobian,
-  PATIENT_ITERATIONS,
+  MOST_ITERATIONS_FIXED_STEP,
   REUSE_BELOW,
   SimplifiedNewton,
   roundingFloor,
-  tightScale,
+  roundingScale,
   type NewtonOutcome,
 } from '../shared/newton.ts';
 
@@ -32,7 +32,7 @@ export class AdamsMoulton extends FixedStepper {
   protected readonly endsWithSlope = true;
   private readonly n: number;
   private readonly newton = new SimplifiedNewton(MOST_ITERATIONS);
-  private readonly patientNewton = new SimplifiedNewton(PATIENT_ITERATIONS);
+  private readonly newtonAnew = new SimplifiedNewton(MOST_ITERATIONS_FIXED_STEP);
   private readonly jacobian: Jacobian;
   /** I - h/2 J, factored, for the step `factoredFor`; 0 if it is not to be used. */
   private readonly matrix: Float64Array;
@@ -73,7 +73,7 @@ export class AdamsMoulton extends FixedStepper {
   protected advance(h: number): StepFailure | null {
     const { y } = this;
     this.h = h;
-    tightScale(y, this.scale);
+    roundingScale(y, this.scale);
     let outcome = this.solve(this.known, this.guess && this.stepTaken > 0);
     // Once more with what belongs to this step alone: its own Jacobian, and no guess.
     if (outcome !== 'converged') outcome = this.solve(false, false);
@@ -104,7 +104,7 @@ export class AdamsMoulton extends FixedStepper {
     if (this.factoredFor !== this.h && !this.factor()) return 'slow';
     const ratio = guess ? this.h / this.stepTaken : 0;
     for (let i = 0; i < this.n; i++) this.z[i] = guess ? ratio * (this.y1[i]! - this.y0[i]!) : 0;
-    const newton = guess ? this.newton : this.patientNewton;
+    const newton = guess ? this.newton : this.newtonAnew;
     // No estimate of the rate is carried over: what is left at the end of one iteration is not looked at again.
     newton.reset();
     const outcome = newton.solve(this.correct, 1, roundingFloor());

@@ -30,7 +30,12 @@ export class BackwardDifferences {
     this.D = Array.from({ length: MAX_ORDER + 3 }, () => new Float64Array(dimension));
   }
 
-  /** Order 1, from a value and its slope. */
+  /**
+   * Order 1, from a value and its slope.
+   * @param y n
+   * @param slope y', n
+   * @param h spacing, s
+   */
   start(y: Float64Array, slope: Float64Array, h: number): void {
     for (const d of this.D) d.fill(0);
     this.D[0]!.set(y);
@@ -39,7 +44,11 @@ export class BackwardDifferences {
     this.spacing = h;
   }
 
-  /** A given order, from the values at t, t - h, ..., t - order h. */
+  /**
+   * A given order, from past values.
+   * @param values those at t, t - h, ..., t - order h, each n
+   * @param h spacing, s
+   */
   startFrom(values: readonly Float64Array[], order: number, h: number): void {
     const { D } = this;
     for (const d of D) d.fill(0);
@@ -51,7 +60,10 @@ export class BackwardDifferences {
     this.spacing = h;
   }
 
-  /** The same polynomial, seen at another spacing. */
+  /**
+   * The same polynomial, seen at another spacing.
+   * @param h s
+   */
   respace(h: number): void {
     const { D, order, R, U, RU, column } = this;
     resampling(order, h / this.spacing, R);
@@ -75,7 +87,11 @@ export class BackwardDifferences {
     this.spacing = h;
   }
 
-  /** The polynomial one spacing ahead: its value, and its slope by the formula of order k there. */
+  /**
+   * The polynomial one spacing ahead: its value, and its slope by the formula of order k there.
+   * @param y n; set
+   * @param slope n; set
+   */
   predict(y: Float64Array, slope: Float64Array): void {
     const { D, order, spacing } = this;
     for (let i = 0; i < y.length; i++) {
@@ -91,7 +107,10 @@ export class BackwardDifferences {
     }
   }
 
-  /** One spacing ahead, where y is the prediction plus `d`; D[j] at t_(n+1) = D[j] at t_n + D[j + 1] at t_(n+1). */
+  /**
+   * One spacing ahead; D[j] at t_(n+1) = D[j] at t_n + D[j + 1] at t_(n+1).
+   * @param d y less its prediction, n
+   */
   advance(d: Float64Array): void {
     const { D, order } = this;
     const [beyond, highest] = [D[order + 2]!, D[order + 1]!];
@@ -115,7 +134,12 @@ function resampling(order: number, r: number, R: Float64Array): void {
   }
 }
 
-/** Value at t_n + s h of the polynomial of differences `D` of an order (Newton's form, for equal steps). */
+/**
+ * Value of the polynomial of differences of an order (Newton's form, for equal steps).
+ * @param D differences at t_n, each n
+ * @param s where: at t_n + s h
+ * @param out n
+ */
 export function valueAt(D: readonly Float64Array[], order: number, s: number, out: Float64Array): void {
   out.set(D[0]!);
   let weight = 1;

@@ -3,10 +3,10 @@ import type { BdfEquations } from './bdfEquations.ts';
 import type { StepperOptions } from '../contract.ts';
 import { allFinite } from '../shared/finite.ts';
 import {
-  PATIENT_ITERATIONS,
+  MOST_ITERATIONS_FIXED_STEP,
   SimplifiedNewton,
   roundingFloor,
-  tightScale,
+  roundingScale,
   type NewtonOutcome,
 } from '../shared/newton.ts';
 import { ScaledLu } from '../shared/scaledLu.ts';
@@ -24,13 +24,13 @@ export const MOST_ITERATIONS = 4;
  * Increments that do not shrink any more, with derivatives of this very step and this far below the tolerance, are
  * rounding: near dependent constraints it is more than its share of each variable alone tells.
  */
-const HARMLESS = 0.1;
+const ROUNDING_ACCEPTED = 0.1;
 
 /**
  * Constraints mix the components of y, so each is known no better than to this share of the largest: a tolerance below
  * would shorten the step for ever. Rounding grows a thousandfold until `constraint-singular` ends a run.
  */
-const KNOWN = 256 * Number.EPSILON;
+const RELATIVE_ROUNDING = 256 * Number.EPSILON;
 
 export class BdfCorrector {
   /** y - prediction. */
@@ -64,7 +64,7 @@ export class BdfCorrector {
     this.equations = equations;
     this.options = options;
     this.controlled = rtol < Infinity;
-    this.newton = new SimplifiedNewton(this.controlled ? MOST_ITERATIONS : PATIENT_ITERATIONS);
+    this.newton = new SimplifiedNewton(this.controlled ? MOST_ITERATIONS : MOST_ITERATIONS_FIXED_STEP);
     this.tolerance = this.controlled ? Math.max((10 * Number.EPSILON) / rtol, Math.min(0.03, Math.sqrt(rtol))) : 1;
     this.floor = this.controlled ? Math.min(0.1, roundingFloor(rtol)) : roundingFloor();
     this.lu = new ScaledLu(equations.dimension, equations.differential);
@@ -87,7 +87,10 @@ export class BdfCorrector {
     this.factoredFor = 0;
   }
 
-  /** Finds `d` at time t, one spacing beyond the history's newest value. */
+  /**
+   * Finds `d`.
+   * @param t one spacing beyond the history's newest value, s
+   */
   solve(t: number, history: BackwardDifferences): NewtonOutcome {
     const { d, predicted, predictedSlope, y, slope, equations, lu } = this;
     history.predict(predicted, predictedSlope);
@@ -110,7 +113,7 @@ export class BdfCorrector {
       if (!lu.factor(this.cj)) return 'slow';
       this.factoredFor = this.cj;
     }
-    const floor = this.controlled && this.current ? Math.max(this.floor, HARMLESS) : this.floor;
+    const floor = this.controlled && this.current ? Math.max(this.floor, ROUNDING_ACCEPTED) : this.floor;
     return this.newton.solve(this.correct, this.tolerance, floor);
   }
 
@@ -137,14 +140,14 @@ export class BdfCorrector {
     const { scale } = this;
     const { differential } = this.equations;
     const { rtol, atol } = this.options;
-    if (!this.controlled) tightScale(y, scale);
+    if (!this.controlled) roundingScale(y, scale);
     else for (let i = 0; i < y.length; i++) scale[i] = atol + rtol * Math.abs(y[i]!);
     if (!differential) return;
     let largest = 0;
     for (let i = 0; i < y.length; i++) if (differential[i]) largest = Math.max(largest, Math.abs(y[i]!));
     for (let i = 0; i < y.length; i++) {
       if (!differential[i]) scale[i]! /= Math.min(1, h);
-      else if (this.controlled) scale[i] = Math.max(scale[i]!, KNOWN * largest);
+      else if (this.controlled) scale[i] = Math.max(scale[i]!, RELATIVE_ROUNDING * largest);
     }
   }
 

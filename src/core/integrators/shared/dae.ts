@@ -10,8 +10,18 @@ export interface DaeProblem {
    * (0 for the algebraic ones) so that F = 0.
    */
   start(t: number, y: Float64Array, yp: Float64Array): boolean;
-  /** F(t, y, yp) into `out`. */
+  /**
+   * F(t, y, yp).
+   * @param t s
+   * @param y `dimension`
+   * @param yp derivative of y by time
+   * @param out `dimension`
+   */
   residual(t: number, y: Float64Array, yp: Float64Array, out: Float64Array): boolean;
-  /** dF/dy + cj dF/dyp into `out`, row-major. */
+  /**
+   * dF/dy + cj dF/dyp.
+   * @param cj 1/s
+   * @param out dimension x dimension, row-major
+   */
   jacobian(t: number, y: Float64Array, yp: Float64Array, cj: number, out: Float64Array): boolean;
 }

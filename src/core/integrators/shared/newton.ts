@@ -20,23 +20,28 @@ export type NewtonOutcome = 'converged' | 'slow' | 'no-value';
 export const REUSE_BELOW = 1e-2;
 
 /** Where the step may not be shortened, Newton's method may go on while the rate is below about 0.6. */
-export const PATIENT_ITERATIONS = 50;
+export const MOST_ITERATIONS_FIXED_STEP = 50;
 
 /** Relative accuracy of what is solved as well as it can be, so that a thousand steps do not add up to 1e-11. */
-const TIGHT = 1e-14;
+const ROUNDING_TOLERANCE = 1e-14;
 /** Size below which a variable counts as zero there, in its own unit. */
-const TIGHT_FLOOR = 1e-3;
+const ROUNDING_FLOOR = 1e-3;
 
-/** Weights by which an equation without a tolerance of its own is solved: one unit is TIGHT of the variable. */
-export function tightScale(y: Float64Array, scale: Float64Array): void {
-  for (let i = 0; i < y.length; i++) scale[i] = TIGHT * (TIGHT_FLOOR + Math.abs(y[i]!));
+/**
+ * Weights by which an equation without a tolerance of its own is solved: one unit is ROUNDING_TOLERANCE of the variable.
+ * @param y n
+ * @param scale n; set
+ */
+export function roundingScale(y: Float64Array, scale: Float64Array): void {
+  for (let i = 0; i < y.length; i++) scale[i] = ROUNDING_TOLERANCE * (ROUNDING_FLOOR + Math.abs(y[i]!));
 }
 
 /**
- * Where increments cease to shrink because of rounding, in units of `relative` times the variable: a skate that is nearly flat
- * magnifies the rounding of forces some thousand times.
+ * Where increments cease to shrink because of rounding, in units of `relative` times the variable: nearly dependent
+ * constraints magnify the rounding of forces some thousand times.
+ * @param relative tolerance of the variable, relative
  */
-export function roundingFloor(relative = TIGHT): number {
+export function roundingFloor(relative = ROUNDING_TOLERANCE): number {
   return (1e4 * Number.EPSILON) / relative;
 }
 
@@ -96,7 +101,7 @@ export class SimplifiedNewton {
 
 /** df/dy by the problem's own formula, or by forward differences. */
 export class Jacobian {
-  /** Row-major, dimension x dimension. */
+  /** df/dy, dimension x dimension, row-major. */
   readonly matrix: Float64Array;
   private readonly problem: OdeProblem;
   private readonly counters: Counters;
@@ -111,7 +116,13 @@ export class Jacobian {
     this.slope = new Float64Array(problem.dimension);
   }
 
-  /** At (t, y), where f has the value `f0`; false if there is none. */
+  /**
+   * Fills `matrix`.
+   * @param t s
+   * @param y n
+   * @param f0 f(t, y), n
+   * @returns false if there is none
+   */
   evaluate(t: number, y: Float64Array, f0: Float64Array): boolean {
     this.counters.jacobians++;
     if (this.problem.jacobian) return this.problem.jacobian(t, y, this.matrix);

@@ -28,7 +28,10 @@ export class ScaledLu {
     this.columns = new Float64Array(n).fill(1);
   }
 
-  /** False if the matrix is singular or not finite. */
+  /**
+   * @param cj what columns of the others are multiplied by, 1/s
+   * @returns false if the matrix is singular or not finite
+   */
   factor(cj: number): boolean {
     const { n, matrix, rows, columns, differential } = this;
     if (differential) for (let j = 0; j < n; j++) columns[j] = differential[j] ? 1 : cj;
@@ -45,7 +48,10 @@ export class ScaledLu {
     return luFactor(matrix, n, this.pivots);
   }
 
-  /** Solves in place of b. */
+  /**
+   * Solves in place of b.
+   * @param b n
+   */
   solve(b: Float64Array): void {
     const { n, rows, columns } = this;
     for (let i = 0; i < n; i++) b[i]! *= rows[i]!;

@@ -117,7 +117,7 @@ export interface App {
   samples: readonly SampleInfo[];
   systems: readonly { id: string; title: string }[];
   systemOf(id: string): SystemView | undefined;
-  /** Linearization and design, computed aside. */
+  /** Linearization and design, computed in a worker. */
   control: ControlClient;
   locus: LocusClient;
   /** The equations in numbers. */

@@ -120,8 +120,8 @@ export interface Switches {
   level: boolean;
 }
 
-/** When pressing on a body grabs it: never, with Shift, always. */
-export type Grabbing = 'never' | 'shift' | 'always';
+/** When pressing on a body pushes it: never, with Shift, always. */
+export type PushByDrag = 'never' | 'shift' | 'always';
 
 /** Whose bodies are on the stage, and in which meshes. */
 export interface Dressed {
@@ -143,10 +143,10 @@ export interface SceneOptions {
   onFirstFrame?: () => void;
   onContextLost?: () => void;
   onContextRestored?: () => void;
-  /** A body was taken hold of; where the hand is then, and with every move of hand or camera, with how fast the camera takes it along (m/s of the motion's time); and that it let go. */
-  onGrab?: (at: Pick) => void;
-  onPull?: (target: Point, velocity: Point) => void;
-  onRelease?: () => void;
+  /** A push of a body begins; where the pointer is then, and with every move of pointer or camera, with how fast the camera takes it along (m/s of the motion's time); and that it ends. */
+  onPushStart?: (at: Pick) => void;
+  onPushMove?: (target: Point, velocity: Point) => void;
+  onPushEnd?: () => void;
   /** CSS pixels per metre at what is looked at, when that has changed. */
   onScale?: (pixelsPerMetre: number) => void;
 }
@@ -182,7 +182,7 @@ export interface SceneView {
   setQuality(quality: Quality): void;
   /** A second look, at the close-up's body, within this box; null without. Nothing on a stage without a close-up. */
   setInset(box: ScreenBox | null): void;
-  setGrabbing(when: Grabbing): void;
+  setPushByDrag(when: PushByDrag): void;
   /** Draws the pull of a hand, or nothing. */
   setHandle(handle: Handle | null): void;
   /** The first body under a place in CSS pixels from the canvas's top left corner, or within `reach` of it; null where there is none. */

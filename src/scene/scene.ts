@@ -5,7 +5,7 @@ import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contr
 import { openContext, watchContext } from './environment/device.ts';
 import { Focus } from './camera/focus.ts';
 import { METRES_PER_NEWTON } from './overlay/forces.ts';
-import { Grab } from './overlay/grab.ts';
+import { PushDrag } from './overlay/pushDrag.ts';
 import { Inset } from './overlay/inset.ts';
 import { letGoOfUploads } from './environment/lostContext.ts';
 import { palettes } from './palette.ts';
@@ -35,7 +35,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   if (options.still?.transparent) parts.ground.hideDisc();
   if (options.still?.labels === false) parts.labels.hide();
   const focus = new Focus();
-  const grab = new Grab(
+  const pushDrag = new PushDrag(
     canvas,
     { pick: pickAt, reachTo, pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]) },
     options,
@@ -118,7 +118,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     if (shown) followCast(frame!.poses);
     else parts.ground.clearBoard();
     show();
-    grab.follow();
+    pushDrag.follow();
   }
 
   /** Draws what the switches let through. */
@@ -169,7 +169,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       lost = true;
       cancelAnimationFrame(requested);
       requested = 0;
-      grab.release();
+      pushDrag.release();
       room.lose();
       parts.labels.forget();
       letGoOfUploads(
@@ -228,8 +228,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       inset.box = box;
       requestRender();
     },
-    setGrabbing(when) {
-      grab.when = when;
+    setPushByDrag(when) {
+      pushDrag.when = when;
     },
     setHandle(handle) {
       parts.handle.set(handle);
@@ -297,7 +297,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       disposed = true;
       cancelAnimationFrame(requested);
       stopWatching();
-      for (const part of [grab, rig, room, parts]) part.dispose();
+      for (const part of [pushDrag, rig, room, parts]) part.dispose();
       renderer.dispose();
     },
   };

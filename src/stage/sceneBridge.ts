@@ -96,16 +96,18 @@ function connectSettings({ state }: App, view: SceneView): void {
   effect(() => view.setSwitches(drawnSettings(state)));
   effect(() => view.setQuality(state.quality.value));
   effect(() => view.setInset(state.insetBox.value));
-  effect(() => view.setGrabbing(!canPush(state.motion.value) ? 'never' : state.dragPushes.value ? 'always' : 'shift'));
+  effect(() =>
+    view.setPushByDrag(!canPush(state.motion.value) ? 'never' : state.dragPushes.value ? 'always' : 'shift'),
+  );
 }
 
 /** What the pointer does to a body in the scene becomes the state's push. */
-function pointerPush({ state, actions }: App): Pick<SceneOptions, 'onGrab' | 'onPull' | 'onRelease'> {
+function pointerPush({ state, actions }: App): Pick<SceneOptions, 'onPushStart' | 'onPushMove' | 'onPushEnd'> {
   // Between two pictures the pointer goes along with the camera, as it does to the eye.
   const moving = (velocity: readonly [number, number, number]) => ({ velocity, since: state.time.peek() });
   const REST = [0, 0, 0] as const;
   return {
-    onGrab({ body, point, world }) {
+    onPushStart({ body, point, world }) {
       const motion = state.motion.peek();
       const id = motion?.system.meta.bodies[body]?.id;
       if (motion && id !== undefined) {
@@ -119,11 +121,11 @@ function pointerPush({ state, actions }: App): Pick<SceneOptions, 'onGrab' | 'on
         });
       }
     },
-    onPull(target, velocity) {
+    onPushMove(target, velocity) {
       const push = state.push.peek();
       if (push) actions.setPush({ ...push, target, moving: moving(velocity) });
     },
-    onRelease: () => actions.setPush(null),
+    onPushEnd: () => actions.setPush(null),
   };
 }
 

@@ -36,7 +36,7 @@ export const text = {
     switches: 'Show in the scene',
     scene: 'Three-dimensional view of the motion',
   },
-  look: {
+  viewMenu: {
     menu: 'Show',
     names: 'Names of bodies',
     frames: 'Axes of bodies',

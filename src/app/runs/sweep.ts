@@ -28,7 +28,7 @@ export interface SweepResult {
 /** Signals are renewed this often at most, however fast results come. */
 const TELL_MS = 200;
 
-/** Computes a sweep aside, a worker a core but one; what has come so far is there at any time. */
+/** Computes a sweep in workers of its own; what has come so far is there at any time. */
 export class Sweep {
   private readonly ownPlan = signal<SweepPlan | null>(null);
   private readonly ownVersion = signal(0);
@@ -78,7 +78,7 @@ export class Sweep {
           .measure(request, (share) => this.reach(job, share))
           .then((answer) => {
             if (!answer) return;
-            this.keep(plan, job, answer);
+            this.record(plan, job, answer);
             over();
           });
       },
@@ -93,7 +93,7 @@ export class Sweep {
     this.finish('cancelled');
   }
 
-  private keep({ measures }: SweepPlan, job: number, answer: Answer<Measured>): void {
+  private record({ measures }: SweepPlan, job: number, answer: Answer<Measured>): void {
     this.done++;
     this.results[job] = answer.ok
       ? { values: answer.value.values, reason: answer.value.end.reason, message: answer.value.end.message }

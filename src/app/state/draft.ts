@@ -42,13 +42,13 @@ function changed(record: Readonly<Record<string, unknown>> | undefined, name: st
 
 /** Another parameter set; values that it already holds need not be named any more. */
 export function withParameterSet(draft: ScenarioFile, meta: SystemMeta, set: string | undefined): ScenarioFile {
-  const kept = Object.entries(draft.parameters ?? {}).filter(
+  const named = Object.entries(draft.parameters ?? {}).filter(
     ([name, value]) => value !== parameterDefault(meta, set, name),
   );
   return withKey(
     withKey(draft, 'parameterSet', set),
     'parameters',
-    kept.length > 0 ? Object.fromEntries(kept) : undefined,
+    named.length > 0 ? Object.fromEntries(named) : undefined,
   );
 }
 

@@ -8,7 +8,7 @@ import { Check, Icon, Section } from '../../ui/kit/controls.tsx';
 import { useUi } from '../../ui/context.ts';
 import type { Chart } from '../../charts/chart.ts';
 import { CurvePane } from './curvePane.tsx';
-import { Swatch } from './keptList.tsx';
+import { Swatch } from './pinnedList.tsx';
 import { columnsOf, type ShownRun } from './shownRuns.ts';
 
 const MOST_PANES = 6;

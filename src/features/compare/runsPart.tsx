@@ -2,7 +2,7 @@ import { useComputed } from '@preact/signals';
 import { words } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Differences } from './differences.tsx';
-import { KeptList } from './keptList.tsx';
+import { PinnedList } from './pinnedList.tsx';
 import { Overlay } from './overlay.tsx';
 import { ScenarioTable } from './scenarioTable.tsx';
 import { shownRuns } from './shownRuns.ts';
@@ -12,7 +12,7 @@ export function RunsPart() {
   const runs = useComputed(() => shownRuns(app)).value;
   return (
     <>
-      <KeptList />
+      <PinnedList />
       {app.state.pinned.value.length === 0 && (
         <p class="hint" data-testid="compare-empty">
           {words.empty}

@@ -108,7 +108,7 @@ export function savePicture(app: App, renderer: ExportRenderer, motion: Motion):
         view,
         follow: true,
         from: time,
-        closeUpTitle: page.look.insetTitle,
+        closeUpTitle: page.viewMenu.insetTitle,
       },
       signal,
     );
@@ -138,7 +138,7 @@ export function saveVideo(app: App, renderer: ExportRenderer, motion: Motion, en
         view,
         follow: follow ?? app.state.follow.peek(),
         from: range.from,
-        closeUpTitle: page.look.insetTitle,
+        closeUpTitle: page.viewMenu.insetTitle,
       },
       signal,
     );

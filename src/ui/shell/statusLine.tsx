@@ -16,7 +16,7 @@ export function StatusLine() {
   return (
     <footer class="status" data-testid="status" aria-label={text.status.label}>
       {motion?.source === 'mode' ? (
-        <span>{text.look.modeFacts}</span>
+        <span>{text.viewMenu.modeFacts}</span>
       ) : motion?.source === 'file' ? (
         <FileFacts />
       ) : (

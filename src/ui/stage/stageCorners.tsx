@@ -44,7 +44,7 @@ export function ForceLegend() {
   if (!bar) return null;
   const force = `${formatShort(bar.newtons, 3)}${THIN}N`;
   return (
-    <p class="force-legend" data-testid="force-legend" aria-label={text.look.legend(force)}>
+    <p class="force-legend" data-testid="force-legend" aria-label={text.viewMenu.legend(force)}>
       <svg width={Math.ceil(bar.pixels) + 2} height="12" aria-hidden="true">
         <path d={`M1 2v8M1 6h${bar.pixels.toFixed(1)}m-7 -3.5l7 3.5l-7 3.5`} />
       </svg>

@@ -36,7 +36,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
         </div>
       )}
       <div class="stage-corner">
-        {closeUp && state.showInset.value && sceneError.value === null && <Inset title={text.look.insetTitle} />}
+        {closeUp && state.showInset.value && sceneError.value === null && <Inset title={text.viewMenu.insetTitle} />}
         {forced && state.showForces.value && <ForceLegend />}
       </div>
       <div class="views">

@@ -7,7 +7,7 @@ import { Check, Choice, Icon } from '../kit/controls.tsx';
 import { formatShort, THIN } from '../kit/format.ts';
 import { text } from '../words.ts';
 
-const words = text.look;
+const words = text.viewMenu;
 
 export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden: boolean; forced: boolean }) {
   const { state, actions } = useUi().app;

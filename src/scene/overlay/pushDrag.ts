@@ -1,30 +1,30 @@
-/** A hand on a body: takes hold of a point, and pulls it about in the plane through it that faces the camera. */
-import type { Grabbing, Pick, SceneOptions } from '../contract.ts';
+/** The pointer's push: presses on a point of a body and drags it about in the plane through it that faces the camera. */
+import type { PushByDrag, Pick, SceneOptions } from '../contract.ts';
 
-/** How far from a body a press still takes hold of it (CSS pixels). */
+/** How far from a body a press still pushes it (CSS pixels). */
 const REACH = { mouse: 3, touch: 14 } as const;
 
 type Point = readonly [number, number, number];
 
-/** What the hand needs of the scene. */
-export interface Grabbed {
+/** What a push needs of the scene. */
+export interface PushScene {
   pick(x: number, y: number, reach: number): Pick | null;
-  /** Where the hand at a place on the screen holds the point that stands here in the body's frame. */
+  /** Where the pointer at a place on the screen takes the point that stands here in the body's frame. */
   reachTo(x: number, y: number, at: Pick): Point | null;
   /** How fast the camera goes along with what it follows, m/s. */
   pace(): Point;
 }
 
-export class Grab {
-  when: Grabbing = 'never';
+export class PushDrag {
+  when: PushByDrag = 'never';
   private readonly canvas: HTMLCanvasElement;
-  private readonly scene: Grabbed;
+  private readonly scene: PushScene;
   private readonly tell: Listener;
-  private held: { pointer: number; at: Pick; x: number; y: number; last: Point } | null = null;
+  private pressed: { pointer: number; at: Pick; x: number; y: number; last: Point } | null = null;
   private readonly undo = new AbortController();
 
   /** Made before the camera's own controls or not: it hears of a press first, and keeps those that are its own. */
-  constructor(canvas: HTMLCanvasElement, scene: Grabbed, tell: Listener) {
+  constructor(canvas: HTMLCanvasElement, scene: PushScene, tell: Listener) {
     this.canvas = canvas;
     this.scene = scene;
     this.tell = tell;
@@ -37,24 +37,24 @@ export class Grab {
   }
 
   get active(): boolean {
-    return this.held !== null;
+    return this.pressed !== null;
   }
 
-  /** After the bodies or the camera have moved: the hand stays where it is on the screen. */
+  /** After the bodies or the camera have moved: the pointer stays where it is on the screen. */
   follow(): void {
-    const { held } = this;
-    if (!held) return;
-    const target = this.scene.reachTo(held.x, held.y, held.at);
-    if (!target || target.every((value, i) => value === held.last[i])) return;
-    held.last = target;
-    this.tell.onPull?.(target, this.scene.pace());
+    const { pressed } = this;
+    if (!pressed) return;
+    const target = this.scene.reachTo(pressed.x, pressed.y, pressed.at);
+    if (!target || target.every((value, i) => value === pressed.last[i])) return;
+    pressed.last = target;
+    this.tell.onPushMove?.(target, this.scene.pace());
   }
 
   release(): void {
-    if (!this.held) return;
-    this.held = null;
+    if (!this.pressed) return;
+    this.pressed = null;
     this.canvas.style.cursor = '';
-    this.tell.onRelease?.();
+    this.tell.onPushEnd?.();
   }
 
   dispose(): void {
@@ -63,7 +63,7 @@ export class Grab {
   }
 
   private press(event: PointerEvent): void {
-    if (this.held) return event.stopImmediatePropagation();
+    if (this.pressed) return event.stopImmediatePropagation();
     const wanted = this.when === 'always' || (this.when === 'shift' && event.shiftKey);
     if (!wanted || event.button !== 0) return;
     const [x, y] = this.place(event);
@@ -72,26 +72,26 @@ export class Grab {
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.style.cursor = 'grabbing';
-    this.held = { pointer: event.pointerId, at, x, y, last: at.world };
-    this.tell.onGrab?.(at);
+    this.pressed = { pointer: event.pointerId, at, x, y, last: at.world };
+    this.tell.onPushStart?.(at);
   }
 
   private move(event: PointerEvent): void {
-    const { held } = this;
-    if (!held) return this.hover(event);
+    const { pressed } = this;
+    if (!pressed) return this.hover(event);
     event.stopImmediatePropagation();
-    if (held.pointer !== event.pointerId) return;
-    [held.x, held.y] = this.place(event);
+    if (pressed.pointer !== event.pointerId) return;
+    [pressed.x, pressed.y] = this.place(event);
     this.follow();
   }
 
   private lift(event: PointerEvent): void {
-    if (!this.held) return;
+    if (!this.pressed) return;
     event.stopImmediatePropagation();
-    if (this.held.pointer === event.pointerId) this.release();
+    if (this.pressed.pointer === event.pointerId) this.release();
   }
 
-  /** Tells a mouse that it could take hold here. */
+  /** Tells a mouse that it could push here. */
   private hover(event: PointerEvent): void {
     if (event.pointerType !== 'mouse' || event.buttons !== 0 || this.when === 'never') return;
     const ready =
@@ -106,4 +106,4 @@ export class Grab {
   }
 }
 
-type Listener = { [K in 'onGrab' | 'onPull' | 'onRelease']?: SceneOptions[K] | undefined };
+type Listener = { [K in 'onPushStart' | 'onPushMove' | 'onPushEnd']?: SceneOptions[K] | undefined };

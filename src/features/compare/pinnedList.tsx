@@ -23,7 +23,7 @@ export function Swatch({ style }: { style: (typeof CURVES)[number] | null }) {
   );
 }
 
-export function KeptList() {
+export function PinnedList() {
   const {
     app: { state, pinned },
   } = useUi();

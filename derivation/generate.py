@@ -3,6 +3,7 @@
 import sympy as sp
 
 from . import typeset
+from .direct import Programs
 from .model import Model
 from .recorder import Recorder
 from .sharing import KEPT, Unit, columns, share
@@ -14,7 +15,11 @@ def modules(model: Model, source: str) -> dict:
     """{file name: text}. Poses stand alone: the page draws with them and needs no dynamics."""
     source = source.replace("-", "_")
     head = lambda what: HEADER.format(what=what, title=model.title, source=source)
-    return {"equations.generated.ts": "\n".join([head("Expressions"), *Equations(model).texts()]),
+    direct, namespace = {}, []
+    if model.direct is not None:
+        direct = {"accelerations.generated.ts": Programs(model).text(source)}
+        namespace = ["export * as direct from './accelerations.generated.ts';\n"]
+    return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *Equations(model).texts()]), **direct,
             "poses.generated.ts": "\n".join([head("Poses"), poses(model)]),
             "typeset.generated.json": typeset.text(model)}
 
@@ -153,11 +158,9 @@ class Equations:
 
     def contact_heights(self, name, heights):
         """Written once where constraint sets keep the same ones."""
-        for other, seen in self.heights:
-            if seen == heights:
-                self.alone.append(f"/** The same as `{other}`. */\nexport const {name} = {other};\n")
-                return
-        self.heights.append((name, heights))
+        if heights in self.heights:
+            return
+        self.heights.append(heights)
         self.function(name, "Heights of the contact points above the ground (m).", ["q", "p"],
                       {"out": (len(heights), self.record.all(dict(enumerate(heights))))})
 

@@ -28,6 +28,8 @@ class Model:
     rate: sp.Matrix | None = None
     # Named intermediate results (symbol, expression), in order, that equations and constraints are written in.
     definitions: tuple = field(default_factory=tuple)
+    # What the shortest way to its accelerations is derived from (`direct.Direct`), where it has one.
+    direct: object = None
     # How it is set in type.
     notation: Notation | None = None
 

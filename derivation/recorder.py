@@ -11,6 +11,8 @@ class Recorder:
     def __init__(self, tape: Tape, inputs: dict, definitions=()):
         self.tape = tape
         self._known = {s: tape.input(array, i) for array, symbols in inputs.items() for i, s in enumerate(symbols)}
+        # Symbols that a state changes.
+        self.moving = {s for array, symbols in inputs.items() if array != "p" for s in symbols}
         for symbol, expression in definitions:
             self._known[symbol] = self(expression)
 

@@ -6,6 +6,7 @@ import sympy as sp
 
 from . import recursion
 from .constraints import Constraints, velocity_row
+from .direct import Direct
 from .energy import Body, Point, kinetic, potential
 from .euler_lagrange import Equations
 from .model import Model, coordinates
@@ -88,8 +89,15 @@ def model() -> Model:
         constraints=(Constraints("rolling", rolling[0], heights, (1, 3), rolling[1]),
                      Constraints("report", report[0], heights, (1, 3), report[1])),
         extra_forces=(("wheelDrag", drag),),
-        definitions=tuple(names.definitions), notation=notation(described, skates),
+        definitions=tuple(names.definitions), direct=short_way(described), notation=notation(described, skates),
     )
+
+
+def short_way(described) -> Direct:
+    lateral = {"rolling": [(frame, "y") for _, frame in described.skates], "report": ["y", "y"]}
+    return Direct(described.bodies, p["gravity"], springs_and_losses(),
+                  {name: [row for (point, _), across in zip(described.skates, both) for row in ((across, point), ("z", point))]
+                   for name, both in lateral.items()}, tuple(point for point, _ in described.skates))
 
 
 def by_recursion(names):

@@ -49,6 +49,8 @@ class Value:
         return self.tape.sub(self.tape.value(other), self)
 
     def __mul__(self, other):
+        if not isinstance(other, (Value, int, float)):
+            return NotImplemented
         return self.tape.mul(self, self.tape.value(other))
 
     def __rmul__(self, other):

@@ -15,28 +15,31 @@ BINDING = {"add": 1, "sub": 1, "neg": 2, "mul": 3, "div": 3}
 
 
 class Writer:
-    """Text of functions over one tape. `names` {array: names of its entries}; others are written `array[i]`."""
+    """Text of functions over one tape.
 
-    def __init__(self, tape: Tape, names: dict):
-        self.tape, self.names = tape, names
+    names {array: names of its entries}; others are written `array[i]`. places {array: (array that it is a part of, offset)}.
+    """
 
-    def function(self, name, doc, parameters, outputs, lengths=(), loads=None, exported=True, returns=()) -> str:
+    def __init__(self, tape: Tape, names: dict, places=None):
+        self.tape, self.names, self.places = tape, names, places or {}
+
+    def function(self, name, doc, parameters, outputs, lengths=(), loads=None, exported=True, returns=(), adds=False) -> str:
         """One function.
 
         parameters: names of its arrays; outputs [(text that is assigned, value)]; lengths {array: size}, filled with zeros
         first where the outputs are fewer; loads {index: text} of values that are at hand already; returns: pairs of values
-        of which the first must be larger, for a function that tells whether they are.
+        of which the first must be larger, for a function that tells whether they are; adds: onto what the outputs hold.
         """
         lines = [f"/** {doc} */", f"{'export ' if exported else ''}function {name}("]
         lines += [f"  {', '.join(f'{a}: Float64Array' for a in parameters)},", f"): {'boolean' if returns else 'void'} {{"]
-        body = _Body(self.tape, self.names, set(parameters), dict(loads or {}))
+        body = _Body(self, set(parameters), dict(loads or {}))
         wanted = [value for _, value in outputs] + [value for pair in returns for value in pair]
         lines += body.lines(wanted)
         written = {}
         for target, _ in outputs:
             written.setdefault(target.split("[")[0], set()).add(target)
         lines += [f"  {array}.fill(0);" for array, size in dict(lengths).items() if len(written.get(array, ())) < size]
-        lines += [f"  {target} = {body.text(value.index)};" for target, value in outputs]
+        lines += [f"  {target}{'! +' if adds else ' '}= {body.text(value.index)};" for target, value in outputs]
         if returns:
             tests = [f"{body.text(big.index, 1)} > {body.text(small.index, 1)}" for big, small in returns]
             lines += ["  return (", *[f"    {test}{' &&' if k + 1 < len(tests) else ''}" for k, test in enumerate(tests)], "  );"]
@@ -50,8 +53,9 @@ def caller(name, doc, parameters, calls, clear=()) -> str:
 
 
 class _Body:
-    def __init__(self, tape, names, taken, loads):
-        self.tape, self.names, self.taken, self.loads = tape, names, taken, loads
+    def __init__(self, writer, taken, loads):
+        self.tape, self.names, self.places = writer.tape, writer.names, writer.places
+        self.taken, self.loads = taken, loads
         self.known = {}
 
     def lines(self, wanted):
@@ -73,12 +77,17 @@ class _Body:
             if ops[i][0] == "input":
                 if uses[i] > 1:
                     _, array, position = ops[i]
-                    lines.append(self._named(i, f"{array}[{position}]!", self._label(array, position)))
+                    lines.append(self._named(i, self._input(i), self._label(array, position)))
                 continue
             text = self._expression(i)
             if uses[i] > 1 or len(text) > LONGEST or ops[i][0] in ("sqrt", "sin", "cos"):
                 lines.append(self._named(i, text))
         return lines
+
+    def _input(self, i):
+        _, array, position = self.tape.ops[i]
+        whole, offset = self.places.get(array, (array, 0))
+        return f"{whole}[{offset + position}]!"
 
     def _label(self, array, position):
         if array not in self.names:
@@ -99,7 +108,7 @@ class _Body:
             return self.loads[i]
         kind = self.tape.ops[i][0]
         if kind == "input":
-            return f"{self.tape.ops[i][1]}[{self.tape.ops[i][2]}]!"
+            return self._input(i)
         if kind == "const":
             number = self.tape.ops[i][1]
             text = str(int(number)) if number == int(number) and abs(number) < 1e15 else repr(number)

@@ -72,10 +72,9 @@ describe.each(pushable)('a push on %s', (id, system) => {
     // Velocities that the constraints allow: their forces do no work then.
     if (dynamics.m > 0) {
       expect(dynamics.prepare(0, q, v)).toBe(true);
-      const slip = new Float64Array(dynamics.m);
-      dynamics.constraintVelocity(v, slip);
+      dynamics.measure(q, v);
       dynamics.shift(
-        slip.map((x) => -x),
+        dynamics.slip.map((x) => -x),
         v,
       );
     }

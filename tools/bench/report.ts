@@ -143,15 +143,16 @@ function timesRow(name: string, { median, quartiles, least, wallMedian }: Times)
 function accelerationTable({ acceleration: a }: Results): string {
   const rows = [
     timesRow('constrained acceleration', a.acceleration),
+    ...(a.general ? [timesRow('the general way', a.general)] : []),
     ...Object.entries(a.formulations).map(([id, times]) => timesRow(`derivative, ${id}`, times)),
   ];
-  const total = a.acceleration.median;
+  const total = (a.general ?? a.acceleration).median;
   const parts = Object.entries(a.parts).map(
     ([name, part]) => `${name} ${part.toFixed(2)} µs (${((100 * part) / total).toFixed(0)} %)`,
   );
   return `${table(timesHead, rows)}
 
-Of the constrained acceleration: ${parts.join(', ')}.
+Of the general way: ${parts.join(', ')}.
 ${a.states} states from seed ${a.seed}; checksum \`${a.checksum}\`; formulations differ by ${a.disagreement.toExponential(1)} at the most.`;
 }
 

@@ -11,12 +11,12 @@ export function scenarioOf(raw: unknown): Scenario {
 }
 
 /** The dynamics of a scenario without inputs. */
-export function dynamicsOf(scenario: Scenario): ConstrainedSystem {
+export function dynamicsOf(scenario: Scenario, way: 'shortest' | 'general' = 'shortest'): ConstrainedSystem {
   const system = systems[scenario.system]!;
   const { coordinates, parameters } = system.meta;
   const p = Float64Array.from(parameters, (m) => scenario.parameters[m.name]!);
   const hold = scenario.hold.map((name) => coordinates.findIndex((c) => c.name === name));
-  return new ConstrainedSystem(system, p, scenario.constraints, hold, null);
+  return new ConstrainedSystem(system, p, scenario.constraints, hold, null, way);
 }
 
 /** Mulberry32: a small seeded generator of numbers from 0 to 1. */

@@ -1,5 +1,6 @@
 import { maxAbs, symmetricEigenvalues } from '../linalg/dense.ts';
 import { saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
+import { DirectAccelerations } from './directAccelerations.ts';
 import type { Forcing } from './forcing.ts';
 import type { ConstraintSet, System } from '../model/system.ts';
 
@@ -19,6 +20,10 @@ export const DEPENDENT = 1e-13;
  * Symbols: n coordinates, m constraint rows, L with M = L L^T, Y = L^-1 Omega^T (kept by rows of Omega),
  * S = Y^T Y = Omega M^-1 Omega^T. One symmetric positive definite solve of order m gives the multipliers
  * (the saddle-point system's Schur complement; Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5).
+ *
+ * Where the derivation has written a short way to the accelerations and no coordinate is held, `prepare`, `acceleration` and
+ * `shift` take it, and fall back on the general one at states where it fails. M, Omega and their factors are then those of
+ * the last `evaluate` or `prepareFactors`.
  */
 export class ConstrainedSystem {
   readonly system: System;
@@ -34,6 +39,8 @@ export class ConstrainedSystem {
   readonly omega: Float64Array;
   readonly gamma: Float64Array;
   readonly heights: Float64Array;
+  /** Omega v as last measured, m. */
+  readonly slip: Float64Array;
   readonly contactCount: number;
   failure: DynamicsFailure | null = null;
 
@@ -52,12 +59,14 @@ export class ConstrainedSystem {
   private readonly preparedQ: Float64Array;
   private readonly preparedV: Float64Array;
   private preparedT = NaN;
-  private prepared: 'no' | 'factored' | 'failed' = 'no';
+  private prepared: 'no' | 'direct' | 'factored' | 'failed' = 'no';
+  private readonly direct: DirectAccelerations | null;
 
   /**
    * @param parameters values in the order of the meta
    * @param constraintSet id, or `none`
    * @param hold indices of coordinates frozen where they start
+   * @param way `general` leaves the short way out: for comparison
    */
   constructor(
     system: System,
@@ -65,6 +74,7 @@ export class ConstrainedSystem {
     constraintSet: string,
     hold: readonly number[],
     forcing: Forcing | null,
+    way: 'shortest' | 'general' = 'shortest',
   ) {
     this.system = system;
     this.parameters = parameters;
@@ -80,6 +90,7 @@ export class ConstrainedSystem {
     this.gamma = new Float64Array(m);
     this.contactCount = this.constraints?.contact?.count ?? 0;
     this.heights = new Float64Array(this.contactCount);
+    this.slip = new Float64Array(m);
     this.kernels = saddleKernels(n, m);
     this.inverse = new Float64Array(n);
     this.inverseS = new Float64Array(m);
@@ -91,6 +102,8 @@ export class ConstrainedSystem {
     this.gammaFree = new Float64Array(m);
     this.preparedQ = new Float64Array(n);
     this.preparedV = new Float64Array(n);
+    const direct = way === 'shortest' && hold.length === 0 ? this.constraints?.direct : undefined;
+    this.direct = direct ? new DirectAccelerations(direct, parameters, n, m, forcing) : null;
   }
 
   /** Whether the acceleration has exact derivatives here. */
@@ -100,7 +113,7 @@ export class ConstrainedSystem {
 
   /** Evaluates M, force, Omega and gamma at a state. */
   evaluate(t: number, q: Float64Array, v: Float64Array): void {
-    this.prepared = 'no';
+    if (this.prepared !== 'direct') this.prepared = 'no';
     const { constraints, parameters } = this;
     if (constraints?.dynamics) {
       constraints.dynamics(q, v, parameters, this.massMatrix, this.force, this.omega, this.gamma);
@@ -133,11 +146,12 @@ export class ConstrainedSystem {
 
   /**
    * Smallest eigenvalue of D S D, D scaling S to a unit diagonal: 1 for orthogonal rows, 0 for dependent ones.
-   * Infinity without constraints. Valid after `factor`, also after a failed one.
+   * Infinity without constraints. Valid after `prepare` at the same state, also after a failed one.
    */
-  independence(): number {
+  independence(t: number, q: Float64Array, v: Float64Array): number {
     const { m, scaled } = this;
     if (m === 0) return Infinity;
+    if (this.prepared === 'direct') this.prepareFactors(t, q, v);
     const S = this.scaledUnit;
     for (let r = 0; r < m; r++) {
       for (let s = 0; s < m; s++)
@@ -158,7 +172,8 @@ export class ConstrainedSystem {
     if (m === 0) return Infinity;
     if (this.failure) return 0;
     let bound = 1;
-    for (let r = 0; r < m; r++) bound *= (S[r * m + r]! * S[r * m + r]!) / scaled[r * m + r]!;
+    if (this.direct && this.prepared === 'direct') bound = this.direct.determinant;
+    else for (let r = 0; r < m; r++) bound *= (S[r * m + r]! * S[r * m + r]!) / scaled[r * m + r]!;
     for (let r = 1; r < m; r++) bound *= (m - 1) / m;
     return bound;
   }
@@ -172,11 +187,32 @@ export class ConstrainedSystem {
   }
 
   /**
-   * Evaluates and factors at a state, unless that is what was done last: a step's end is looked at by the projection,
-   * by an event and by the next step's first stage, one after another.
+   * Makes the accelerations of a state ready, unless that is what was done last: a step's end is looked at by the
+   * projection, by an event and by the next step's first stage, one after another.
    */
   prepare(t: number, q: Float64Array, v: Float64Array): boolean {
-    if (this.isPrepared(t, q, v)) return this.prepared === 'factored';
+    if (this.isPrepared(t, q, v)) return this.prepared !== 'failed';
+    if (this.direct?.ofState(t, q, v)) return this.holdsDirect(t);
+    return this.prepareGeneral(t, q, v);
+  }
+
+  /** Evaluates and factors M and S at a state, for those who solve with them: `solveSaddle`. */
+  prepareFactors(t: number, q: Float64Array, v: Float64Array): boolean {
+    if (this.prepared !== 'direct')
+      return this.isPrepared(t, q, v) ? this.prepared === 'factored' : this.prepareGeneral(t, q, v);
+    this.evaluate(t, q, v);
+    return this.factor();
+  }
+
+  private holdsDirect(t: number): true {
+    this.prepared = 'direct';
+    this.preparedT = t;
+    this.failure = null;
+    return true;
+  }
+
+  private prepareGeneral(t: number, q: Float64Array, v: Float64Array): boolean {
+    this.prepared = 'no';
     this.evaluate(t, q, v);
     const done = this.factor();
     this.prepared = done ? 'factored' : 'failed';
@@ -195,11 +231,12 @@ export class ConstrainedSystem {
 
   /** Whether the factors at hand are of a state at this time. */
   isFactoredAt(t: number): boolean {
-    return this.prepared === 'factored' && t === this.preparedT;
+    return (this.prepared === 'direct' || this.prepared === 'factored') && t === this.preparedT;
   }
 
   private isPrepared(t: number, q: Float64Array, v: Float64Array): boolean {
     if (this.prepared === 'no' || t !== this.preparedT) return false;
+    if (this.direct && this.prepared === 'direct') return this.direct.holds(q, v);
     const { n, preparedQ, preparedV } = this;
     for (let i = 0; i < n; i++) if (q[i] !== preparedQ[i] || v[i] !== preparedV[i]) return false;
     return true;
@@ -207,7 +244,30 @@ export class ConstrainedSystem {
 
   /** Evaluate, factor and solve at one state. */
   acceleration(t: number, q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array): boolean {
-    return this.prepare(t, q, v) && this.solve(a, lambda);
+    if (!this.prepare(t, q, v)) return false;
+    if (!this.direct || this.prepared !== 'direct') return this.solve(a, lambda);
+    const { n, direct } = this;
+    for (let i = 0; i < n; i++) a[i] = direct.rate[n + i]!;
+    for (let r = 0; r < this.m; r++) lambda[r] = direct.lambda[r]!;
+    return true;
+  }
+
+  /**
+   * [v, a] of y = [q, v] in one go, without a copy, where there is a short way.
+   * @returns whether it was taken; if not, ask for the acceleration
+   */
+  rate(t: number, y: Float64Array, out: Float64Array): boolean {
+    const { direct } = this;
+    if (!direct) return false;
+    if (this.prepared === 'direct' && t === this.preparedT && direct.holdsPair(y)) {
+      out.set(direct.rate);
+      return true;
+    }
+    if (!direct.ofPair(t, y, out)) {
+      this.prepared = 'no';
+      return false;
+    }
+    return this.holdsDirect(t);
   }
 
   /**
@@ -218,12 +278,32 @@ export class ConstrainedSystem {
     this.kernels.solve(this.massMatrix, this.inverse, this.Y, this.S, this.inverseS, f, g);
   }
 
-  /** After `factor`: adds to x (n) the smallest change in the mass metric that changes Omega x by `change` (m; used up). */
+  /** After `prepare`: adds to x (n) the smallest change in the mass metric that changes Omega x by `change` (m; used up). */
   shift(change: Float64Array, x: Float64Array): void {
+    if (this.direct && this.prepared === 'direct') return this.direct.shift(change, x);
     const { n, row } = this;
     for (let k = 0; k < n; k++) row[k] = 0;
     this.solveSaddle(row, change);
     for (let k = 0; k < n; k++) x[k]! += row[k]!;
+  }
+
+  /** Heights of the contact points at q into `heights`. */
+  refreshHeights(q: Float64Array): void {
+    this.constraints?.contact?.heights(q, this.parameters, this.heights);
+  }
+
+  /** Omega(q) v into `slip` and the heights into `heights`. */
+  measure(q: Float64Array, v: Float64Array): void {
+    if (this.direct) return this.direct.measure(q, v, this.slip, this.heights);
+    this.refreshHeights(q);
+    this.refreshOmega(q, v);
+    this.constraintVelocity(v, this.slip);
+  }
+
+  /** `slip` anew where only v has changed since `measure`. */
+  measureAgain(q: Float64Array, v: Float64Array): void {
+    if (this.direct) this.measure(q, v);
+    else this.constraintVelocity(v, this.slip);
   }
 
   /** Omega(q) as last evaluated, times v, into out (m). */
@@ -241,11 +321,6 @@ export class ConstrainedSystem {
     if (!this.constraints) return;
     this.constraints.evaluate(q, v, this.parameters, this.omega, this.gammaFree);
     for (const i of this.held) for (let r = 0; r < this.m; r++) this.omega[r * this.n + i] = 0;
-  }
-
-  /** Heights of the contact points into `heights`. */
-  refreshHeights(q: Float64Array): void {
-    this.constraints?.contact?.heights(q, this.parameters, this.heights);
   }
 
   private fail(reason: DynamicsFailure): false {

@@ -40,7 +40,7 @@ export function eventsOf(
         dynamics.prepare(t, q, v);
         // Only the sign counts; the eigenvalue itself is needed near zero alone.
         const bound = dynamics.independenceBound();
-        return (bound > SINGULAR_BELOW ? bound : dynamics.independence()) - SINGULAR_BELOW;
+        return (bound > SINGULAR_BELOW ? bound : dynamics.independence(t, q, v)) - SINGULAR_BELOW;
       },
       message: (t) =>
         `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s${dependentWords(system.meta, dynamics.constraints?.id)}`,

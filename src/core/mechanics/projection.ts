@@ -18,12 +18,10 @@ const ROUNDING = 1e-13;
 export class Projection {
   private readonly dynamics: ConstrainedSystem;
   private readonly w: Float64Array;
-  private readonly residuals: Float64Array;
 
   constructor(dynamics: ConstrainedSystem) {
     this.dynamics = dynamics;
     this.w = new Float64Array(dynamics.m);
-    this.residuals = new Float64Array(dynamics.m);
   }
 
   /**
@@ -40,24 +38,24 @@ export class Projection {
 
   /** @returns whether only rounding is left */
   private iterate(q: Float64Array, v: Float64Array): boolean {
-    if (!this.positions(q)) return false;
-    this.dynamics.refreshOmega(q, v);
-    return this.velocities(v);
+    const d = this.dynamics;
+    d.measure(q, v);
+    return this.positions(q, v) && this.velocities(q, v);
   }
 
   /** Newton with fixed factors; stops when the heights no longer shrink. */
-  private positions(q: Float64Array): boolean {
+  private positions(q: Float64Array, v: Float64Array): boolean {
     const d = this.dynamics;
     const contact = d.constraints?.contact;
     if (!contact) return true;
     let last = Infinity;
     for (let i = 0; i < MOST_ITERATIONS; i++) {
-      d.refreshHeights(q);
       const size = maxAbs(d.heights);
       if (!(size > HEIGHT_GOAL)) return true;
       if (!(size < last)) return size <= ROUNDING;
       last = size;
       this.correctPositions(contact.rows, q);
+      d.measure(q, v);
     }
     return last <= ROUNDING;
   }
@@ -70,17 +68,17 @@ export class Projection {
   }
 
   /** The same with `Omega v`, which is linear in v: two passes where the factors are of this very state. */
-  private velocities(v: Float64Array): boolean {
+  private velocities(q: Float64Array, v: Float64Array): boolean {
     const d = this.dynamics;
     let last = Infinity;
     for (let i = 0; i < MOST_ITERATIONS; i++) {
-      d.constraintVelocity(v, this.residuals);
-      const size = maxAbs(this.residuals);
+      const size = maxAbs(d.slip);
       if (!(size > VELOCITY_GOAL)) return true;
       if (!(size < last)) return size <= ROUNDING;
       last = size;
-      for (let r = 0; r < d.m; r++) this.w[r] = -this.residuals[r]!;
+      for (let r = 0; r < d.m; r++) this.w[r] = -d.slip[r]!;
       d.shift(this.w, v);
+      d.measureAgain(q, v);
     }
     return last <= ROUNDING;
   }
@@ -89,9 +87,7 @@ export class Projection {
   residual(q: Float64Array, v: Float64Array): number {
     const d = this.dynamics;
     if (d.m === 0) return 0;
-    d.refreshOmega(q, v);
-    d.refreshHeights(q);
-    d.constraintVelocity(v, this.residuals);
-    return Math.max(maxAbs(this.residuals), maxAbs(d.heights));
+    d.measure(q, v);
+    return Math.max(maxAbs(d.slip), maxAbs(d.heights));
   }
 }

@@ -1,9 +1,18 @@
-import { parameterIndex, type ConstraintSet, type ConstraintSetMeta, type System, type SystemView } from './system.ts';
+import {
+  parameterIndex,
+  type ConstraintSet,
+  type ConstraintSetMeta,
+  type DirectDynamics,
+  type System,
+  type SystemView,
+} from './system.ts';
 
 /** What the derivation writes for one system, by the names that it gives; `<set>Constraints` and the like are looked up. */
 export interface GeneratedEquations extends Pick<System, 'mechanics' | 'jacobians' | 'energy' | 'poseJacobian'> {
   readonly rate?: NonNullable<System['firstOrder']>['rate'];
   readonly rateJacobian?: NonNullable<System['firstOrder']>['jacobian'];
+  /** `accelerations.generated.ts`: `prepare`, `constantCount`, and by constraint set `<id>Accelerations` and the like. */
+  readonly direct?: object;
 }
 
 type Named = Readonly<Record<string, unknown>>;
@@ -92,10 +101,30 @@ function constraintSet(
           heights: generated(system, equations, `${heightsOf}Heights`),
         }
       : null,
+    ...directDynamics(equations['direct'] as Named | undefined, id, losses),
   };
 }
 
+/** The short way of a constraint set, where the derivation has written one. */
+function directDynamics(
+  direct: Named | undefined,
+  id: string,
+  losses: OptionalForces | null,
+): Pick<ConstraintSet, 'direct'> {
+  if (!direct?.[`${id}Accelerations`]) return {};
+  const written = {
+    constantCount: direct['constantCount'],
+    factorCount: direct[`${id}FactorCount`],
+    prepare: direct['prepare'],
+    accelerations: direct[`${id}Accelerations`],
+    shift: direct[`${id}Shift`],
+    slip: direct[`${id}Slip`],
+  } as DirectDynamics;
+  return { direct: losses ? { ...written, optional: losses } : written };
+}
+
 interface OptionalForces {
+  active(p: Float64Array): boolean;
   add(q: Float64Array, v: Float64Array, p: Float64Array, h: Float64Array): void;
   subtractJacobians(q: Float64Array, v: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
 }
@@ -112,6 +141,7 @@ function optionalForces({ meta }: SystemView, equations: Named): OptionalForces 
   const force = new Float64Array(n);
   const [forceQ, forceV] = [new Float64Array(n * n), new Float64Array(n * n)];
   return {
+    active: (p) => terms.some(({ parameter }) => p[parameter] !== 0),
     add(q, v, p, h) {
       for (const term of terms) {
         if (p[term.parameter] === 0) continue;

@@ -120,6 +120,40 @@ export interface ConstraintSet {
   ): void;
   /** Holonomic part: heights kept at exactly zero. `rows[i]` is the row of Omega that is d(height_i)/dq. */
   contact: ContactMeta | null;
+  /** The shortest way to the accelerations, where the derivation has written one. */
+  direct?: DirectDynamics;
+}
+
+/**
+ * Accelerations under one constraint set as one straight line of operations, without M and Omega (derivation/direct.py).
+ * c: `constantCount` numbers that `prepare` makes of the parameters; y = [q, v] and rate = [v, a] have 2 n entries.
+ */
+export interface DirectDynamics {
+  readonly constantCount: number;
+  /** What the accelerations leave for `shift`; the last is 1 / det of S = Omega M^-1 Omega^T scaled to a unit diagonal. */
+  readonly factorCount: number;
+  prepare(p: Float64Array, c: Float64Array): void;
+  /**
+   * @param f generalized forces from outside, n
+   * @returns false where M or S is not positive definite
+   */
+  accelerations(
+    y: Float64Array,
+    c: Float64Array,
+    f: Float64Array,
+    rate: Float64Array,
+    lambda: Float64Array,
+    factors: Float64Array,
+  ): boolean;
+  /** Adds to x (n) the smallest change in the mass metric that changes Omega x by g (rows). */
+  shift(factors: Float64Array, g: Float64Array, x: Float64Array): void;
+  /** Omega v into `slip` (rows), heights of the contact points into `heights`. */
+  slip(q: Float64Array, v: Float64Array, c: Float64Array, slip: Float64Array, heights: Float64Array): void;
+  /** Forces that are left out of the above because most parameters have none: whether these parameters do, and f += them. */
+  optional?: {
+    active(p: Float64Array): boolean;
+    add(q: Float64Array, v: Float64Array, p: Float64Array, f: Float64Array): void;
+  };
 }
 
 export interface ContactMeta {

@@ -47,7 +47,7 @@ export class AccelerationJacobian {
   evaluate(t: number, q: Float64Array, v: Float64Array): boolean {
     const { dynamics: d, a, lambda, aq, av, forceQ, forceV } = this;
     const { n, parameters } = d;
-    if (!d.acceleration(t, q, v, a, lambda)) return false;
+    if (!d.acceleration(t, q, v, a, lambda) || !d.prepareFactors(t, q, v)) return false;
     d.system.jacobians(q, v, a, parameters, aq, av);
     if (d.constraints) {
       d.constraints.jacobians(q, v, a, lambda, parameters, forceQ, this.rateQ, this.rateV, this.velocityQ);

@@ -3,8 +3,8 @@ import { AccelerationJacobian } from './accelerationJacobian.ts';
 import type { Formulation } from './contract.ts';
 
 /**
- * y = [q, v]; accelerations with Lagrange multipliers, from the Cholesky factors of M and of its Schur complement
- * (`ConstrainedSystem`). The equations of index 1: Hairer and Wanner, Solving ODEs II, 2nd ed., section VII.1, (1.46).
+ * y = [q, v]; accelerations with Lagrange multipliers, the short way where there is one, else from the Cholesky factors of M
+ * and of its Schur complement (`ConstrainedSystem`). The equations of index 1: Hairer and Wanner, Solving ODEs II, 2nd ed., section VII.1, (1.46).
  *
  * Not guaranteed: that `Omega v` stays zero. It drifts linearly, heights quadratically, unless they are projected.
  */
@@ -41,6 +41,7 @@ export class Multipliers implements Formulation {
   }
 
   derivative(t: number, y: Float64Array, out: Float64Array): boolean {
+    if (this.dynamics.rate(t, y, out)) return true;
     const { n, q, v, a } = this;
     this.toState(y, q, v);
     if (!this.dynamics.acceleration(t, q, v, a, this.lambda)) return false;

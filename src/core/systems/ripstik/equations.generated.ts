@@ -2,6 +2,8 @@
 // Expressions of the RipStik: see derivation/ripstik.py. Row-major outputs, SI units, radians.
 /* eslint-disable */
 
+export * as direct from './accelerations.generated.ts';
+
 /** What several functions need, from one to the next. */
 const kept = new Float64Array(594);
 
@@ -4602,9 +4604,6 @@ export function rollingHeights(
   out[0] = x18;
   out[1] = x17;
 }
-
-/** The same as `rollingHeights`. */
-export const reportHeights = rollingHeights;
 
 /** Mass matrix (10 x 10) and h (10) of M a = h. */
 export function mechanics(

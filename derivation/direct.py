@@ -1,0 +1,136 @@
+"""The shortest way to constrained accelerations, as functions of their own: see `composite` and `elimination`.
+
+For each set of constraint rows, over y = [q, v], constants c that `prepare` makes from the parameters once, and factors that
+the accelerations leave for what follows at the same state:
+
+    <set>Accelerations(y, c, f, rate, lambda, factors)   rate = [v, a] under generalized forces f from outside
+    <set>Shift(factors, g, x)                            adds the smallest change in the mass metric that changes Omega x by g
+    <set>Slip(q, v, c, slip, heights)                    Omega v and the heights of the contact points
+"""
+
+from dataclasses import dataclass
+
+from .composite import Dynamics, Tree
+from .elimination import Saddle
+from .recorder import Recorder
+from .tape import Tape, arguments
+from .typescript import HEADER, Writer
+
+# A pivot of S below this share of its diagonal is rounding (`DEPENDENT` in core/mechanics).
+DEPENDENT = 1e-13
+
+
+@dataclass(frozen=True)
+class Direct:
+    """What the short way is derived from. rows {constraint set: [(direction, point)]}, contacts: points whose heights count."""
+
+    bodies: tuple
+    gravity: object
+    losses: object  # n x 1
+    rows: dict
+    contacts: tuple
+
+
+class Programs:
+    """Values of all functions on one tape, and their texts."""
+
+    def __init__(self, model):
+        direct, n = model.direct, len(model.q)
+        self.model, self.n, self.tape = model, n, Tape()
+        self.record = Recorder(self.tape, {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)})
+        self.tree = Tree(self.record, model.q, model.v, direct.bodies, direct.gravity)
+        outside = [self.tape.input("f", i) for i in range(n)]
+        losses = [self.record(x) for x in direct.losses]
+        self.sets = {}
+        for name, rows in direct.rows.items():
+            dynamics = Dynamics(self.tree, [a + b for a, b in zip(losses, outside)], rows)
+            self.sets[name] = Set(self, dynamics, [dynamics.height(point) for point in direct.contacts])
+
+    def fixed(self) -> list:
+        """Indices of the values that depend on the parameters alone and that a function reads, in order."""
+        found, seen, waiting = set(), set(), [v.index for s in self.sets.values() for _, v in s.outputs()]
+        while waiting:
+            i = waiting.pop()
+            if i in seen:
+                continue
+            seen.add(i)
+            if self.tape.fixed[i] and self.tape.ops[i][0] != "const":
+                found.add(i)
+            else:
+                waiting += arguments(self.tape.ops[i])
+        return sorted(found)
+
+    def text(self, source) -> str:
+        n, model = self.n, self.model
+        names = {"q": [s.name for s in model.q], "v": [s.name for s in model.v], "p": [s.name for s in model.parameters]}
+        writer, of_state = Writer(self.tape, names), Writer(self.tape, names, {"q": ("y", 0), "v": ("y", n)})
+        fixed = self.fixed()
+        constants = {i: f"c[{k}]!" for k, i in enumerate(fixed)}
+        texts = [HEADER.format(what="Constrained accelerations", title=model.title, source=source),
+                 "/** Length of the constants. */", f"export const constantCount = {len(fixed)};\n",
+                 writer.function("prepare", "Constants of all functions below, from the parameters.", ["p", "c"],
+                                 [(f"c[{k}]", self.tape.at(i)) for k, i in enumerate(fixed)])]
+        for name, s in self.sets.items():
+            texts += s.texts(name, writer, of_state, constants)
+        return "\n".join(texts)
+
+
+class Set:
+    """Accelerations, shift and slip under one set of rows."""
+
+    def __init__(self, programs: Programs, dynamics: Dynamics, heights):
+        self.programs, self.tape = programs, programs.tape
+        tape, m = self.tape, len(dynamics.Omega)
+        saddle = Saddle(dynamics.M, dynamics.Omega)
+        x, self.lam = saddle.solve(dynamics.h, dynamics.gamma)
+        self.a = dynamics.unknowns.accelerations(x)
+        self.velocity, self.heights = dynamics.slip, heights
+        change = [tape.input("g", r) for r in range(m)]
+        self.shift = dynamics.unknowns.accelerations(saddle.shift(change, tape.const(0)), free=False)
+        self.kept = self._at_hand(change)
+        S = saddle.schur
+        scale, inverse = S.diagonal[0], S.inverse[0]
+        for r in range(1, m):
+            scale, inverse = scale * S.diagonal[r], inverse * S.inverse[r]
+        self.spread = scale * inverse
+        self.positive = [(d, tape.const(0)) for d in saddle.mass.pivots] + [(d, DEPENDENT * D) for d, D in zip(S.pivots, S.diagonal)]
+
+    def _at_hand(self, change):
+        """Values that the shift reads and that do not depend on what it changes."""
+        depends = {c.index for c in change}
+        wanted = set()
+        for i in self.tape.reached(self.shift):
+            if any(k in depends for k in arguments(self.tape.ops[i])):
+                depends.add(i)
+                wanted |= {k for k in arguments(self.tape.ops[i])}
+        return sorted(k for k in wanted - depends if self.tape.ops[k][0] != "const")
+
+    def accelerations(self):
+        n = self.programs.n
+        record, v = self.programs.record, self.programs.model.v
+        kept = [self.tape.at(i) for i in self.kept] + [self.spread]
+        return [*((f"rate[{i}]", record(v[i])) for i in range(n)), *((f"rate[{n + i}]", a) for i, a in enumerate(self.a)),
+                *((f"lambda[{r}]", x) for r, x in enumerate(self.lam)), *((f"factors[{k}]", x) for k, x in enumerate(kept))]
+
+    def slips(self):
+        return [(f"slip[{r}]", x) for r, x in enumerate(self.velocity)] + [(f"heights[{r}]", x) for r, x in enumerate(self.heights)]
+
+    def outputs(self):
+        return [*self.accelerations(), *(("", value) for pair in self.positive for value in pair), *self.slips()]
+
+    def operations(self) -> int:
+        """Of the accelerations and multipliers, without what is prepared."""
+        constants = set(self.programs.fixed())
+        return self.tape.operations(self.tape.reached([*self.a, *self.lam], constants))
+
+    def texts(self, name, writer, of_state, constants):
+        factors = {i: f"factors[{k}]!" for k, i in enumerate(self.kept)}
+        shifted = [(f"x[{i}]", x) for i, x in enumerate(self.shift)]
+        return [
+            f"/** Length of the factors; the last is 1 / det of S scaled to a unit diagonal. */\nexport const {name}FactorCount = {len(self.kept) + 1};\n",
+            of_state.function(f"{name}Accelerations", "rate = [v, a], lambda and factors; false where M or S is not positive definite.",
+                            ["y", "c", "f", "rate", "lambda", "factors"], self.accelerations(), loads=constants, returns=self.positive),
+            writer.function(f"{name}Shift", "Adds to x the smallest change in the mass metric that changes Omega x by g.", ["factors", "g", "x"],
+                            shifted, loads=factors, adds=True),
+            writer.function(f"{name}Slip", "Omega v and the heights of the contact points.", ["q", "v", "c", "slip", "heights"], self.slips(), loads=constants),
+        ]

@@ -1,0 +1,103 @@
+import type { DirectDynamics } from '../model/system.ts';
+import type { Forcing } from './forcing.ts';
+
+/**
+ * The short way of a constraint set (derivation/direct.py) with parameters and outside forces bound: the accelerations of
+ * one state after another, and what they leave for the projection. It holds the last state that it was asked about.
+ */
+export class DirectAccelerations {
+  /** Of the state last evaluated: [v, a] and the multipliers. */
+  readonly rate: Float64Array;
+  readonly lambda: Float64Array;
+
+  private readonly direct: DirectDynamics;
+  private readonly parameters: Float64Array;
+  private readonly forcing: Forcing | null;
+  private readonly forced: boolean;
+  private readonly constants: Float64Array;
+  private readonly force: Float64Array;
+  private readonly factors: Float64Array;
+  /** [q, v], with both halves as arrays of their own for those who act from outside. */
+  private readonly y: Float64Array;
+  private readonly q: Float64Array;
+  private readonly v: Float64Array;
+
+  /**
+   * @param n coordinates
+   * @param m constraint rows
+   */
+  constructor(direct: DirectDynamics, parameters: Float64Array, n: number, m: number, forcing: Forcing | null) {
+    this.direct = direct;
+    this.parameters = parameters;
+    this.forcing = forcing;
+    this.forced = forcing !== null || (direct.optional?.active(parameters) ?? false);
+    this.constants = new Float64Array(direct.constantCount);
+    direct.prepare(parameters, this.constants);
+    this.force = new Float64Array(n);
+    this.factors = new Float64Array(direct.factorCount);
+    this.rate = new Float64Array(2 * n);
+    this.lambda = new Float64Array(m);
+    this.y = new Float64Array(2 * n);
+    this.q = this.y.subarray(0, n);
+    this.v = this.y.subarray(n);
+  }
+
+  /** Whether q and v are the state last evaluated by `ofState`. */
+  holds(q: Float64Array, v: Float64Array): boolean {
+    for (let i = 0; i < q.length; i++) if (q[i] !== this.q[i] || v[i] !== this.v[i]) return false;
+    return true;
+  }
+
+  /** The same for y = [q, v]. */
+  holdsPair(y: Float64Array): boolean {
+    for (let i = 0; i < y.length; i++) if (y[i] !== this.y[i]) return false;
+    return true;
+  }
+
+  /** Evaluates at a state; false where there is no acceleration this way. */
+  ofState(t: number, q: Float64Array, v: Float64Array): boolean {
+    for (let i = 0; i < q.length; i++) {
+      this.q[i] = q[i]!;
+      this.v[i] = v[i]!;
+    }
+    return this.evaluate(t, this.y, this.rate);
+  }
+
+  /** The same at y = [q, v], straight into `rate` (2 n); the state is not held, its factors are. */
+  ofPair(t: number, y: Float64Array, rate: Float64Array): boolean {
+    if (this.forced) this.y.set(y);
+    else this.y[0] = NaN;
+    const done = this.evaluate(t, y, rate);
+    this.y[0] = NaN;
+    return done;
+  }
+
+  private evaluate(t: number, y: Float64Array, rate: Float64Array): boolean {
+    const { direct, force, q, v } = this;
+    if (this.forced) {
+      force.fill(0);
+      direct.optional?.add(q, v, this.parameters, force);
+      this.forcing?.(t, q, v, force);
+    }
+    if (!direct.accelerations(y, this.constants, force, rate, this.lambda, this.factors)) return false;
+    // One acceleration that is no number makes this none.
+    let sum = 0;
+    for (let i = q.length; i < rate.length; i++) sum += rate[i]!;
+    return sum - sum === 0;
+  }
+
+  /** Adds to x the smallest change in the mass metric that changes Omega x by `change`. */
+  shift(change: Float64Array, x: Float64Array): void {
+    this.direct.shift(this.factors, change, x);
+  }
+
+  /** Omega v into `slip` (m) and the heights of the contact points into `heights`, at any state. */
+  measure(q: Float64Array, v: Float64Array, slip: Float64Array, heights: Float64Array): void {
+    this.direct.slip(q, v, this.constants, slip, heights);
+  }
+
+  /** det of S = Omega M^-1 Omega^T scaled to a unit diagonal, at the state last evaluated. */
+  get determinant(): number {
+    return 1 / this.factors[this.factors.length - 1]!;
+  }
+}

@@ -1,0 +1,126 @@
+import { describe, expect, test } from 'vitest';
+import { maxAbs } from '../../src/core/linalg/dense.ts';
+import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
+import type { Forcing } from '../../src/core/mechanics/forcing.ts';
+import { systems } from '../../src/core/systems/all.ts';
+import { seeded } from '../helpers.ts';
+
+const SEED = 20261128;
+const STATES = 256;
+/** Relative to the largest entry; the scaled rows are kept clear of dependence, where any two ways part. */
+const SAME = 1e-12;
+const INDEPENDENT = 1e-3;
+
+const sets = Object.values(systems).flatMap((system) =>
+  Object.values(system.constraintSets)
+    .filter(({ direct }) => direct !== undefined)
+    .map((set) => ({ name: `${system.meta.id}, ${set.id}`, system, set: set.id })),
+);
+
+test('the board has a short way under both of its constraint sets', () => {
+  expect(sets.map(({ name }) => name)).toEqual(expect.arrayContaining(['ripstik, rolling', 'ripstik, report']));
+});
+
+/** Both ways with the same parameters and forces from outside. */
+function both(name: string, set: string, parameters: Float64Array, forcing: Forcing | null) {
+  const system = systems[name]!;
+  return {
+    short: new ConstrainedSystem(system, parameters, set, [], forcing),
+    general: new ConstrainedSystem(system, parameters, set, [], forcing, 'general'),
+  };
+}
+
+const apart = (a: Float64Array, b: Float64Array): number =>
+  maxAbs(a.map((x, i) => x - b[i]!)) / Math.max(maxAbs(b), Number.MIN_VALUE);
+
+describe.each(sets)('the short way and the general one: $name', ({ system, set }) => {
+  const { meta } = system;
+  const n = meta.coordinates.length;
+
+  /** Parameters around their defaults, those that are zero there between 0 and 1, or `losses` times that. */
+  const drawn = (random: () => number, losses: number) =>
+    Float64Array.from(meta.parameters, (p) =>
+      p.default === 0 ? losses * random() : p.default * (0.8 + 0.4 * random()),
+    );
+
+  test.each([
+    { what: 'free of outside forces and losses', losses: 0, outside: 0 },
+    { what: 'with losses and drag', losses: 1, outside: 0 },
+    { what: 'with outside forces', losses: 0, outside: 10 },
+  ])(`agree at ${STATES} states and parameters, $what (seed ${SEED})`, ({ losses, outside }) => {
+    const random = seeded(SEED);
+    const vector = (size: number, length = n) => Float64Array.from({ length }, () => size * (2 * random() - 1));
+    for (let k = 0, seen = 0; seen < STATES; k++) {
+      expect(k, 'enough states are regular').toBeLessThan(4 * STATES);
+      const pull = vector(outside);
+      const forcing: Forcing | null =
+        outside > 0 ? (_t, _q, _v, force) => pull.forEach((x, i) => (force[i]! += x)) : null;
+      const { short, general } = both(meta.id, set, drawn(random, losses), forcing);
+      const [q, v, m] = [vector(0.6), vector(2), short.m];
+      const at = `state ${k}`;
+      const results = [short, general].map((d) => {
+        const [a, lambda, rate] = [new Float64Array(n), new Float64Array(m), new Float64Array(2 * n)];
+        const done = d.acceleration(0, q, v, a, lambda);
+        const x = v.slice();
+        if (done)
+          d.shift(
+            Float64Array.from({ length: m }, (_, r) => 1 - r),
+            x,
+          );
+        d.measure(q, v);
+        return { done, a, lambda, rate, x, slip: d.slip, heights: d.heights, bound: d.independenceBound() };
+      });
+      const [a, b] = [results[0]!, results[1]!];
+      expect(a.done, at).toBe(b.done);
+      if (!b.done || !(general.independence(0, q, v) > INDEPENDENT)) continue;
+      seen++;
+      expect(apart(a.a, b.a), `accelerations, ${at}`).toBeLessThan(SAME);
+      expect(apart(a.lambda, b.lambda), `multipliers, ${at}`).toBeLessThan(SAME);
+      expect(apart(a.x, b.x), `shift, ${at}`).toBeLessThan(SAME);
+      expect(apart(a.slip, b.slip), `slip, ${at}`).toBeLessThan(SAME);
+      expect(apart(a.heights, b.heights), `heights, ${at}`).toBeLessThan(SAME);
+      expect(Math.abs(a.bound / b.bound - 1), `independence, ${at}`).toBeLessThan(1e-9);
+      // The same again without a copy, from y = [q, v].
+      const y = Float64Array.from([...q, ...v]);
+      expect(short.rate(1, y, a.rate), at).toBe(true);
+      expect(a.rate, at).toEqual(Float64Array.from([...v, ...a.a]));
+      expect(general.rate(1, y, b.rate), at).toBe(false);
+    }
+  });
+
+  test('is not taken where a coordinate is held', () => {
+    const p = Float64Array.from(meta.parameters, (x) => x.default);
+    const d = new ConstrainedSystem(system, p, set, [n - 1], null);
+    expect(d.rate(0, new Float64Array(2 * n), new Float64Array(2 * n))).toBe(false);
+  });
+
+  test('a state that is none fails with its reason', () => {
+    const p = Float64Array.from(meta.parameters, (x) => x.default);
+    const d = new ConstrainedSystem(system, p, set, [], null);
+    const v = new Float64Array(n).fill(NaN);
+    expect(d.acceleration(0, new Float64Array(n), v, new Float64Array(n), new Float64Array(d.m))).toBe(false);
+    expect(d.failure).toBe('non-finite');
+    expect(
+      d.acceleration(0, new Float64Array(n), new Float64Array(n), new Float64Array(n), new Float64Array(d.m)),
+    ).toBe(true);
+    expect(d.failure).toBeNull();
+  });
+});
+
+test('dependent rows are refused with their reason: a skate that lies flat', () => {
+  const { short, general } = both(
+    'ripstik',
+    'rolling',
+    Float64Array.from(systems['ripstik']!.meta.parameters, (p) => p.default),
+    null,
+  );
+  const q = new Float64Array(10);
+  // The front plate on its side, so that the caster's axle is vertical.
+  q[6] = Math.PI / 2;
+  for (const d of [short, general]) {
+    expect(d.acceleration(0, q, new Float64Array(10), new Float64Array(10), new Float64Array(4))).toBe(false);
+    expect(d.failure).toBe('constraint-singular');
+    expect(d.independenceBound()).toBe(0);
+    expect(d.independence(0, q, new Float64Array(10))).toBeLessThan(1e-12);
+  }
+});

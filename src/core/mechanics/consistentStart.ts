@@ -1,6 +1,6 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import { type ContactMeta, dependentWords, type System } from '../model/system.ts';
+import { type ContactMeta, dependentWords, singularMassWords, type System } from '../model/system.ts';
 import { ConstrainedSystem } from './constrainedSystem.ts';
 import { Projection } from './projection.ts';
 
@@ -76,7 +76,7 @@ export function consistentStart(
       throw new StartError(
         dynamics.failure === 'constraint-singular'
           ? `the constraints "${constraintSet}" are dependent at this start${hold.length ? ' with the held coordinates; too much may be held' : ''}${dependentWords(system.meta, constraintSet)}: change the start${hold.length ? ', hold less' : ''}, or choose constraints "none"`
-          : 'the mass matrix is singular at this start: give every body a mass',
+          : `the mass matrix is singular at this start: ${singularMassWords(system.meta, q)}`,
       );
     }
   }

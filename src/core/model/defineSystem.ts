@@ -64,6 +64,7 @@ export function defineSystem(view: SystemView, equations: GeneratedEquations): S
     ...(equations.rate && equations.rateJacobian
       ? { firstOrder: { rate: equations.rate, jacobian: equations.rateJacobian } }
       : {}),
+    ...(losses ? { optionalForces: losses.terms } : {}),
     ...(meta.touchdown ? { clearance: clearanceOf(view) } : {}),
   };
 }
@@ -125,6 +126,7 @@ function directDynamics(
 
 interface OptionalForces {
   active(p: Float64Array): boolean;
+  terms: NonNullable<System['optionalForces']>;
   add(q: Float64Array, v: Float64Array, p: Float64Array, h: Float64Array): void;
   subtractJacobians(q: Float64Array, v: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array): void;
 }
@@ -142,6 +144,7 @@ function optionalForces({ meta }: SystemView, equations: Named): OptionalForces 
   const [forceQ, forceV] = [new Float64Array(n * n), new Float64Array(n * n)];
   return {
     active: (p) => terms.some(({ parameter }) => p[parameter] !== 0),
+    terms,
     add(q, v, p, h) {
       for (const term of terms) {
         if (p[term.parameter] === 0) continue;

@@ -186,6 +186,15 @@ export interface SystemMeta {
   bodies: readonly BodyMeta[];
   /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
   optionalForces?: readonly string[];
+  /**
+   * A body that is free without constraints: its position in the world, its attitude Rz(yaw) Ry(pitch) Rx(roll) by
+   * coordinates, all else relative to it; and the parameter that is gravity along -z. Lets it pass pitch ±90°.
+   */
+  attitude?: {
+    position: readonly [string, string, string];
+    angles: readonly [string, string, string];
+    gravity: string;
+  };
   /** Boxes that may not touch the ground, centred on bodies: ids, and the parameters that are their sides (m) along x, y and z. */
   touchdown?: {
     bodies: readonly string[];
@@ -205,6 +214,14 @@ export interface SystemMeta {
 export function dependentWords({ constraintSets }: SystemMeta, id: string | undefined): string {
   const words = constraintSets.find((set) => set.id === id)?.dependent;
   return words ? ` (${words})` : '';
+}
+
+/** @returns why M may be singular at q (n), and what to do: the pole of the angles, or a body without mass */
+export function singularMassWords({ attitude, coordinates }: SystemMeta, q: Float64Array): string {
+  const pitch = coordinates.findIndex(({ name }) => name === attitude?.angles[1]);
+  return pitch >= 0 && Math.abs(Math.cos(q[pitch]!)) < 1e-3
+    ? `the pitch ${attitude!.angles[1]} is at 90°, where the angles have no rates; a free board passes there: choose constraints "none" and hold neither its angles nor a part of its position`
+    : 'give every body a mass and inertia';
 }
 
 /** @returns position of a parameter in the vector `p`; throws where the system has none of that name */
@@ -276,6 +293,11 @@ export interface System extends SystemView {
     rate(q: Float64Array, p: Float64Array, out: Float64Array): void;
     jacobian(q: Float64Array, p: Float64Array, out: Float64Array): void;
   };
+  /** Forces left out of `mechanics` where their parameter is zero; `force` gives one alone (n). */
+  optionalForces?: readonly {
+    parameter: number;
+    force(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  }[];
   /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
   clearance?(q: Float64Array, p: Float64Array): number;
 }

@@ -1,4 +1,5 @@
 import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { AttitudeCharts } from '../mechanics/attitudeCharts.ts';
 import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
@@ -8,7 +9,7 @@ import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
-import { dependentWords, type System } from '../model/system.ts';
+import { dependentWords, singularMassWords, type System } from '../model/system.ts';
 import { motionOf } from './motion.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';
@@ -94,6 +95,8 @@ export class Simulation {
   private readonly formulation: StateMap;
   private readonly stepper: Stepper;
   private readonly projecting: boolean;
+  /** Where the attitude is free: the formulation works in their present one. */
+  private readonly charts: AttitudeCharts | null;
   /** Work before the stepper was last restarted. */
   private readonly earlier = zeroCounters();
   /** For rows, so that a look between steps leaves the factors of the step's end alone. */
@@ -144,7 +147,14 @@ export class Simulation {
     this.hand = pushes ? new PushForce(system, parameters) : null;
     this.coming = [...(pushes ?? [])].reverse();
     const forcing = this.hand ? together(this.actuation.forcing, this.hand.forcing) : this.actuation.forcing;
-    this.dynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing);
+    this.charts = AttitudeCharts.of(system, parameters, scenario.constraints, hold);
+    this.dynamics = new ConstrainedSystem(
+      this.charts?.system ?? system,
+      parameters,
+      scenario.constraints,
+      hold,
+      this.charts ? this.charts.forcing(forcing, parameters) : forcing,
+    );
     this.projection = new Projection(this.dynamics);
     this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing);
     this.rowProjection = new Projection(this.rowDynamics);
@@ -161,7 +171,7 @@ export class Simulation {
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
     const { map, stepper, problem } = motionOf(scenario.method, this.dynamics);
-    this.formulation = map;
+    this.formulation = this.charts?.map(map) ?? map;
     this.stepper = stepper;
     this.projecting = scenario.method.projection && this.dynamics.m > 0;
     if (this.projecting && problem) problem.project = (t, y) => this.projectEnd(t, y);
@@ -283,7 +293,10 @@ export class Simulation {
       return this.stop('end', `ran to t = ${scenario.duration} s`);
     }
     // Last, because the dense output of the step is in the old meaning of y.
-    if (formulation.rebase(q, v)) this.restart();
+    if (formulation.rebase(q, v)) {
+      this.dynamics.forget();
+      this.restart();
+    }
     while (this.isDue(stepper.t)) this.push(this.coming.pop()!.push);
   }
 
@@ -375,7 +388,7 @@ export class Simulation {
       if (!dynamics.acceleration(time, q, v, this.a, this.lambda)) this.lambda.fill(NaN);
       for (let r = 0; r < dynamics.m; r++) this.chunk[c++]![row] = this.lambda[r]!;
     }
-    this.system.energy(q, v, dynamics.parameters, this.energies);
+    (this.charts ?? this.system).energy(q, v, dynamics.parameters, this.energies);
     this.energy = this.energies[0]! + this.energies[1]!;
     this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
     const residual = this.rowProjection.residual(q, v);
@@ -409,7 +422,13 @@ export class Simulation {
   }
 
   private failureMessage(reason: string, t: number): string {
-    return failureMessage(reason, t, dependentWords(this.dynamics.system.meta, this.dynamics.constraints?.id));
+    const { meta } = this.system;
+    return failureMessage(
+      reason,
+      t,
+      dependentWords(meta, this.dynamics.constraints?.id),
+      singularMassWords(meta, this.endQ),
+    );
   }
 
   private grow(): void {
@@ -431,13 +450,13 @@ function addCounters(a: Counters, b: Counters): Counters {
   };
 }
 
-function failureMessage(reason: string, t: number, dependent: string): string {
+function failureMessage(reason: string, t: number, dependent: string, singularMass: string): string {
   const at = `at t = ${t.toFixed(3)} s`;
   const known: Record<string, string> = {
     'step-too-small': `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method`,
     'non-finite': `the equations gave a number that is not finite ${at}: check parameters and inputs`,
-    'constraint-singular': `the constraints became dependent ${at} ${dependent}`,
-    'mass-matrix-singular': `the mass matrix became singular ${at}: give every body a mass and inertia`,
+    'constraint-singular': `the constraints became dependent ${at}${dependent}`,
+    'mass-matrix-singular': `the mass matrix became singular ${at}: ${singularMass}`,
   };
   return `${reason}: ${known[reason] ?? `the method stopped ${at}`}`;
 }

@@ -288,6 +288,7 @@ export const ripstikMeta = {
     { id: 'back-caster', label: 'back caster', role: 'second', model: 'caster' },
   ],
   optionalForces: ['wheelDrag'],
+  attitude: { position: ['X', 'Y', 'Z'], angles: ['theta', 'psi', 'alpha'], gravity: 'gravity' },
   touchdown: {
     bodies: ['front-plate', 'back-plate'],
     box: ['plateLength', 'plateWidth', 'plateThickness'],

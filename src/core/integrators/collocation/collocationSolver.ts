@@ -25,7 +25,7 @@ const MORE_PER_STAGE = 1;
 /**
  * What Newton's method may leave, in units of the tolerance: section IV.8 advises 1e-1 to 1e-2. It is left in the same
  * direction step after step, and the sharper the tolerance, the more steps there are and the less else there is; RADAU5
- * and SciPy go down with the square root of rtol. Measured: docs/decisions/newton-constants.md.
+ * and SciPy go down with the square root of rtol. Measured: docs/decisions/0019-newton-constants.md.
  */
 const kappa = (rtol: number): number => Math.min(3e-2, Math.max(1e-3, 0.3 * Math.pow(rtol, 0.25)));
 /** In equal steps, in units of the accuracy that equations without a tolerance are solved to. */

@@ -1,0 +1,13 @@
+// @vitest-environment happy-dom
+import { expect, test } from 'vitest';
+import { sheetOf } from '../../app/commands.ts';
+import { putOnStage, testApp } from '../../../tests/ui/page.tsx';
+import { compare } from './manifest.tsx';
+
+test('B pins the run on the stage, and the sheet says so', () => {
+  expect(sheetOf(compare.commands!)).toEqual([['B', 'keep this run, to compare with']]);
+  const app = testApp();
+  putOnStage(app, { version: 1, system: 'ripstik', duration: 0.02 });
+  compare.commands!.find(({ id }) => id === 'pin')!.perform!(app);
+  expect(app.state.pinned.value).toHaveLength(1);
+});

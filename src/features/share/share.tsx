@@ -1,10 +1,10 @@
 /** Copies a link to what is in the panel; on a phone it is handed to the system's own sheet. */
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { shareText as text } from '../../app/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { Dialog } from '../../ui/kit/dialog.tsx';
+import { words } from './words.ts';
 
 const load = () => import('../../app/persistence/links.ts');
 /** What fails here is told when it is pressed. */
@@ -18,14 +18,14 @@ export function ShareButton() {
     try {
       fragment = (await load()).linkOf(app);
     } catch (error) {
-      app.actions.report('warning', text.notShared, [(error as Error).message]);
+      app.actions.report('warning', words.notShared, [(error as Error).message]);
       return;
     }
     const link = `${location.origin}${location.pathname}#${fragment}`;
     if (await handedOver(app.state.origin.peek().title, link)) return;
     try {
       await navigator.clipboard.writeText(link);
-      app.actions.report('info', text.copied, [text.copiedHint(link.length)]);
+      app.actions.report('info', words.copied, [words.copiedHint(link.length)]);
     } catch {
       shown.value = link; // no clipboard, or not allowed: the person copies it
     }
@@ -37,14 +37,14 @@ export function ShareButton() {
         type="button"
         class="quiet"
         data-testid="share"
-        aria-label={text.share}
-        title={text.shareTitle}
+        aria-label={words.share}
+        title={words.shareTitle}
         onPointerEnter={foresee}
         onFocus={foresee}
         onClick={() => void share()}
       >
         <Icon name="share" />
-        <span class="word">{text.share}</span>
+        <span class="word">{words.share}</span>
       </button>
       {shown.value !== null && (
         <LinkDialog
@@ -76,14 +76,14 @@ function LinkDialog({ link, onClose }: { link: string; onClose(): void }) {
     field.current?.select();
   }, []);
   return (
-    <Dialog title={text.dialog} testId="share-dialog" onClose={onClose}>
-      <p class="hint">{text.copyHint}</p>
+    <Dialog title={words.dialog} testId="share-dialog" onClose={onClose}>
+      <p class="hint">{words.copyHint}</p>
       <input
         ref={field}
         class="link-field"
         readOnly
         value={link}
-        aria-label={text.field}
+        aria-label={words.field}
         data-testid="share-link"
         onFocus={(event) => event.currentTarget.select()}
       />

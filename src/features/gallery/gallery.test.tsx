@@ -1,0 +1,59 @@
+// @vitest-environment happy-dom
+// Every case is a card under its heading; a search narrows them; a choice closes the gallery and takes the case.
+import { cleanup, fireEvent, screen } from '@testing-library/preact';
+import { afterEach, expect, test, vi } from 'vitest';
+import { draw, testApp } from '../../../tests/ui/page.tsx';
+import { CaseMenu } from './caseMenu.tsx';
+import { Gallery } from './gallery.tsx';
+import { text } from './words.ts';
+
+afterEach(cleanup);
+
+function gallery() {
+  const app = testApp();
+  const load = vi.spyOn(app.actions, 'loadCase').mockImplementation(() => {});
+  const onClose = vi.fn<() => void>();
+  const { container } = draw(<Gallery onClose={onClose} />, { app });
+  const cards = () => [...container.querySelectorAll('.card')].map((card) => card.getAttribute('data-testid')!);
+  const search = (words: string) => fireEvent.input(screen.getByTestId('gallery-search'), { target: { value: words } });
+  return { app, load, onClose, cards, search };
+}
+
+test('one card a case, the panel’s own marked', () => {
+  const { app, cards } = gallery();
+  expect(new Set(cards())).toEqual(new Set(app.cases.map(({ id }) => `case-${id}`)));
+  expect(screen.getByTestId(`case-${app.state.origin.value.id}`).getAttribute('aria-current')).toBe('true');
+});
+
+test('a search goes over system, figure and words, and says when there is none', () => {
+  const { cards, search } = gallery();
+  search('stiff decay');
+  expect(cards()).toHaveLength(3);
+  expect(screen.getByTestId('gallery-3.4')).toBeTruthy();
+  search('cart LQR');
+  expect(cards()).toEqual(['case-cart-pendulum-lqr']);
+  search('zebra');
+  expect(cards()).toEqual([]);
+  expect(screen.getByRole('status').textContent).toBe(text.none('zebra'));
+});
+
+test('Enter in the search takes the first that is found', () => {
+  const { load, onClose, search } = gallery();
+  search('cart LQR');
+  screen.getByTestId('gallery-search').focus();
+  fireEvent.keyDown(screen.getByTestId('gallery-search'), { key: 'Enter' });
+  expect(onClose).toHaveBeenCalledTimes(1);
+  expect(load.mock.calls).toEqual([['cart-pendulum-lqr']]);
+});
+
+test('the button names the case in the panel, and says when it is edited', () => {
+  const app = testApp();
+  draw(<CaseMenu />, { app });
+  const { title, scenario } = app.state.origin.value;
+  expect(screen.getByTestId('case-menu').getAttribute('aria-label')).toBe(`${text.title}: ${title}`);
+  expect(screen.queryByText(text.edited)).toBeNull();
+  cleanup();
+  app.actions.edit('duration', () => ({ ...scenario, duration: 1.25 }));
+  draw(<CaseMenu />, { app });
+  expect(screen.getByText(text.edited)).toBeTruthy();
+});

@@ -21,6 +21,13 @@ import { createUi, UiContext, type Ui } from '../../src/ui/context.ts';
 import type { Feature } from '../../src/ui/feature.ts';
 import { runOf } from '../helpers.ts';
 
+/** A canvas to draw on that shows nothing, for the charts: happy-dom gives none. */
+const blank = new Proxy({} as Record<PropertyKey, unknown>, {
+  get: (held, name) =>
+    held[name] ?? (name === 'measureText' ? (text: string) => ({ width: 6 * text.length }) : () => blank),
+});
+HTMLCanvasElement.prototype.getContext = (() => blank) as never;
+
 /** Takes every message and answers none. */
 class SilentWorker implements WorkerLike {
   addEventListener(): void {}

@@ -10,7 +10,7 @@ import { AnalysisView } from './analysisView.tsx';
 
 afterEach(cleanup);
 
-const view = <AnalysisView plot={() => () => {}} save={() => {}} />;
+const view = <AnalysisView save={() => {}} />;
 
 test('the upright board: growing modes first, what the inputs reach', async () => {
   const app = testApp();

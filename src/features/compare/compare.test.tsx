@@ -4,7 +4,7 @@ import { cleanup, fireEvent, screen } from '@testing-library/preact';
 import { afterEach, expect, test } from 'vitest';
 import { draw, putOnStage, testApp } from '../../../tests/ui/page.tsx';
 import { compare } from './manifest.tsx';
-import { KeptList } from './keptList.tsx';
+import { PinnedList } from './pinnedList.tsx';
 import { PinRun } from './pinRun.tsx';
 import { words } from './words.ts';
 
@@ -15,7 +15,7 @@ function bench() {
   putOnStage(app, app.cases.find(({ id }) => id === 'released')!.scenario);
   draw(
     <>
-      <KeptList />
+      <PinnedList />
       <PinRun />
     </>,
     { app, features: [compare] },

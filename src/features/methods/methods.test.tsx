@@ -10,7 +10,7 @@ afterEach(cleanup);
 
 test('rows are chosen, run and cancelled', () => {
   const app = testApp();
-  draw(<Methods comparison={app.comparison} plot={() => () => {}} saveTable={() => {}} savePicture={() => {}} />, {
+  draw(<Methods comparison={app.comparison} saveTable={() => {}} />, {
     app,
   });
   const row = (id: string) => screen.getByTestId(`method-row-${id}`);
@@ -32,10 +32,7 @@ test('rows are chosen, run and cancelled', () => {
 
 test('each of the report’s four stands beside the report’s own time', () => {
   const app = testApp();
-  const { container } = draw(
-    <Methods comparison={app.comparison} plot={() => () => {}} saveTable={() => {}} savePicture={() => {}} />,
-    { app },
-  );
-  const told = [...container.querySelectorAll('tbody td.report')].filter((cell) => cell.textContent !== '');
+  const { container } = draw(<Methods comparison={app.comparison} saveTable={() => {}} />, { app });
+  const told = [...container.querySelectorAll('tbody small')].filter((cell) => cell.textContent !== '');
   expect(told).toHaveLength(4);
 });

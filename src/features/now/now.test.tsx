@@ -22,6 +22,6 @@ test('angles in degrees, multipliers by wheel', () => {
   expect(shown('Z')).toBeCloseTo(trajectory.column('Z')![0]!, 4);
   expect(shown('alpha')).toBeCloseTo((trajectory.column('alpha')![0]! * 180) / Math.PI, 2);
   expect(shown('lambda_2')).toBeCloseTo(trajectory.column('lambda_2')![0]!, 3);
-  const [{ label }] = app.systemOf(file.system)!.contacts as [{ label: string }];
+  const { label } = app.systemOf(file.system)!.contacts[0]!;
   expect(screen.getByText(`${label}, ${words.vertical}`)).toBeTruthy();
 });

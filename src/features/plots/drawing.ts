@@ -8,7 +8,7 @@ import type { ColumnValues } from '../../core/motion/columnValues.ts';
 import { rowsWithin } from '../../core/motion/rowsWithin.ts';
 import { words } from '../../core/motion/symbols.ts';
 import { compileExpression } from '../../core/scenario/expressions.ts';
-import type { PaneProps } from './paneView.tsx';
+import type { PaneProps } from './paneProps.ts';
 import { stylesOf } from './style.ts';
 
 const EXACT_POINTS = 400;

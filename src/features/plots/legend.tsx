@@ -4,7 +4,7 @@ import { shownFactor, shownUnit, symbolOf, type Column } from '../../core/motion
 import { useSlowTime } from '../../ui/slowTime.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
-import type { PaneProps } from './paneView.tsx';
+import type { PaneProps } from './paneProps.ts';
 import { stylesOf, type CurveStyle } from './style.ts';
 import { text } from './words.ts';
 

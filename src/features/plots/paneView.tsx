@@ -1,13 +1,10 @@
 /** One plot: its curves, what they are at the present time, and how to change it. */
-import { effect, useSignal, type Signal } from '@preact/signals';
+import { effect, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { App } from '../../app/app.ts';
-import type { Motion } from '../../app/runs/motion.ts';
-import type { PlotPane } from '../../app/state/plotPanes.ts';
 import type { Chart, TableColumn } from '../../charts/chart.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { axisText, shownFactor, type Column } from '../../core/motion/columns.ts';
-import type { ColumnValues } from '../../core/motion/columnValues.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
@@ -15,25 +12,13 @@ import { Menu } from '../../ui/kit/menu.tsx';
 import { useSlowTime } from '../../ui/slowTime.ts';
 import { dotsOf, infoIn, limits, nearestTime, pictureOf } from './drawing.ts';
 import { Legend } from './legend.tsx';
+import type { PaneProps } from './paneProps.ts';
 import { saveCsv, savePng, saveSvg } from './save.ts';
 import { text } from './words.ts';
 
 /** Curves grow at most so often, ms. */
 const REDRAW_MS = 100;
 const TABLE_ROWS = 21;
-
-export interface PaneProps {
-  pane: PlotPane;
-  motion: Motion;
-  /** What can be chosen of: it may come a little later than the motion. */
-  choices: readonly Column[];
-  values(name: string): ColumnValues;
-  /** Of all plots over time; null for the whole. */
-  range: Signal<readonly [number, number] | null>;
-  first: boolean;
-  onChange(pane: PlotPane | null): void;
-  onUp(): void;
-}
 
 export function PaneView(props: PaneProps) {
   const { pane, motion, choices, first, onChange, onUp } = props;

@@ -3,7 +3,7 @@ import { download } from '../../app/files/download.ts';
 import type { Chart } from '../../charts/chart.ts';
 import { writeCsv } from '../../csv/csv.ts';
 import { limits } from './drawing.ts';
-import type { PaneProps } from './paneView.tsx';
+import type { PaneProps } from './paneProps.ts';
 
 const fileName = (title: string): string =>
   title

@@ -7,7 +7,7 @@ import { Focus } from './camera/focus.ts';
 import { METRES_PER_NEWTON } from './overlay/forces.ts';
 import { PushDrag } from './overlay/pushDrag.ts';
 import { Inset } from './overlay/inset.ts';
-import { letGoOfUploads } from './environment/lostContext.ts';
+import { releaseUploads } from './environment/lostContext.ts';
 import { palettes } from './palette.ts';
 import { Parts } from './actors/parts.ts';
 import { boxOnScreen, onFacingPlane, pickBody, projected } from './overlay/picking.ts';
@@ -172,7 +172,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       pushDrag.release();
       room.lose();
       parts.labels.forget();
-      letGoOfUploads(
+      releaseUploads(
         scene,
         (material) => (renderer.properties.get(material) as { uniforms?: Record<string, { value: unknown }> }).uniforms,
       );

@@ -4,7 +4,7 @@ import { drawingOf } from '../drawings.ts';
 import { ripstikMeta } from '../../src/core/systems/ripstik/meta.ts';
 import { Bodies } from '../../src/scene/actors/bodies.ts';
 import { Forces } from '../../src/scene/overlay/forces.ts';
-import { letGoOfUploads } from '../../src/scene/environment/lostContext.ts';
+import { releaseUploads } from '../../src/scene/environment/lostContext.ts';
 import { Lights } from '../../src/scene/environment/lights.ts';
 import { palettes } from '../../src/scene/palette.ts';
 
@@ -33,7 +33,7 @@ test('a context that is lost: everything in the scene drops what the old state l
   expect(told.size).toBeGreaterThan(20);
   const before: Object3D[] = [];
   scene.traverse((object) => before.push(object));
-  letGoOfUploads(scene, (material) => (material instanceof ShaderMaterial ? material.uniforms : undefined));
+  releaseUploads(scene, (material) => (material instanceof ShaderMaterial ? material.uniforms : undefined));
   expect([...told.values()].filter((times) => times !== 1)).toEqual([]);
   const after: Object3D[] = [];
   scene.traverse((object) => after.push(object));

@@ -22,7 +22,7 @@ export const padCommands: readonly Command[] = [
     label: words.ways[way],
     keys: [{ key: PAD_KEYS[way], place: 'push-pad' }],
   })),
-  { id: padId('none'), label: words.letGo, keys: [{ key: 'Escape', place: 'push-pad' }] },
+  { id: padId('none'), label: words.release, keys: [{ key: 'Escape', place: 'push-pad' }] },
 ];
 
 /** The way that a command of the pad pushes, or null for the one that releases. */

@@ -81,8 +81,8 @@ export function PushPad() {
           <button
             type="button"
             class="quiet square push-none"
-            aria-label={text.letGo}
-            title={text.letGo}
+            aria-label={text.release}
+            title={text.release}
             data-testid="push-none"
             onClick={pusher.release}
           >

@@ -7,7 +7,7 @@ export const words = {
   title: 'Push by keys',
   body: 'Body',
   hint: 'Arrows, Page Up and Page Down; Escape lets go',
-  letGo: 'Let go',
+  release: 'Let go',
   ways: {
     ahead: 'Push ahead',
     back: 'Push back',

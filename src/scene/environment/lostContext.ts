@@ -13,7 +13,7 @@ type Held = Object3D & { geometry?: BufferGeometry; material?: Material | Materi
  * To be called between the loss and the return. Textures that no material shows now are their owners' to let go.
  * @param uniformsOf what the renderer sends with a material: among it textures of three's own, which every renderer shares
  */
-export function letGoOfUploads(
+export function releaseUploads(
   scene: Object3D,
   uniformsOf: (material: Material) => Readonly<Record<string, { value: unknown }>> | undefined,
 ): void {

@@ -18,6 +18,7 @@ import {
   modesOf,
   modulus,
   ON_AXIS,
+  ROUNDING,
   type Complex,
   type Mode,
 } from '../linearization/spectrum.ts';
@@ -62,7 +63,12 @@ export interface ReachablePlant {
 
 export function reachablePlant(linearization: Linearization): ReachablePlant {
   const { basis, tangentA, tangentB, states, inputs, inputSizes } = linearization;
-  const split = splitByReachability(tangentA, tangentB, inputSizes);
+  const split = splitByReachability(
+    tangentA,
+    tangentB,
+    inputSizes,
+    linearization.motion.dynamics.system.firstOrder ? undefined : basis,
+  );
   const modes = unreachableModes(split, basis, states);
   return { linearization, split, modes, byInput: reachByInput(tangentA, tangentB, inputs, inputSizes) };
 }
@@ -82,8 +88,8 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   const root = Matrix.diag(weights.Q.map(Math.sqrt));
   const unreachable = modes.map((mode) => ({ ...mode, weighted: isWeighted(mode, weights.Q) }));
   refuseUnstable(unreachable, split.scale, inputs);
-  const seen = root.mmul(N).mmul(split.reachable);
-  const { U, Up } = unseenOnAxis(split, seen, weights.Q.map(Math.sqrt));
+  const seen = withoutRounding(root.mmul(N).mmul(split.reachable), weights.Q);
+  const { U, Up } = unseenOnAxis(split, weights.Q);
   const Upt = Up.transpose();
   const [A, B, C] = [Upt.mmul(split.A).mmul(Up), Upt.mmul(split.B), seen.mmul(Up)];
   const riccati = solveNamed(A, B, C, weights.R, N.mmul(split.reachable).mmul(Up), linearization);
@@ -104,6 +110,14 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   };
 }
 
+/** Rows of Q^1/2 N V that are rounding beside their weight ask for nothing that the inputs reach: exact zeros. */
+function withoutRounding(seen: Matrix, Q: readonly number[]): Matrix {
+  Q.forEach((q, i) => {
+    if (norm(seen.getRowVector(i)) <= ROUNDING * Math.sqrt(q)) seen.setRow(i, new Array<number>(seen.columns).fill(0));
+  });
+  return seen;
+}
+
 /** Whether the cost of a motion in this mode is more than rounding. */
 function isWeighted(mode: Mode, Q: readonly number[]): boolean {
   const cost = mode.shape.reduce((sum, x, i) => sum + Q[i]! * x * x, 0);
@@ -119,13 +133,21 @@ function refuseUnstable(modes: readonly Mode[], scale: number, inputs: readonly 
   );
 }
 
-/** Modes of the reachable part that are on the imaginary axis and never show in the cost; and the complement. */
-function unseenOnAxis(split: ReachableSplit, seen: Matrix, sizes: readonly number[]): { U: Matrix; Up: Matrix } {
-  const { unseen } = unobservableSubspace(split.A, seen, sizes);
-  if (unseen.columns === 0) return { U: unseen, Up: Matrix.eye(split.A.rows) };
-  const U = unseen.mmul(axisSubspace(unseen.transpose().mmul(split.A).mmul(unseen), split.scale));
-  // U is orthonormal: its complement is where its singular values, all 1, are not.
-  return { U, Up: columnSpace(U, 0.5).complement };
+/** Modes of the reachable part on the imaginary axis that never show in the cost, and the complement; in V's coordinates. */
+function unseenOnAxis(
+  { balance, reachable: V, strength }: ReachableSplit,
+  Q: readonly number[],
+): { U: Matrix; Up: Matrix } {
+  const { A, basis, back, reachable } = balance;
+  const inner = reachable.transpose().mmul(A).mmul(reachable);
+  const axis = axisSubspace(inner, norm(A));
+  // A weight is there or not: its size does not matter to what it sees.
+  const weighted = Q.map((q) => (q > 0 ? 1 : 0));
+  const seen = Matrix.diag(weighted).mmul(basis).mmul(reachable).mmul(axis);
+  const { unseen } = unobservableSubspace(axis.transpose().mmul(inner).mmul(axis), seen, weighted, strength);
+  const inV = V.transpose().mmul(back).mmul(reachable).mmul(axis).mmul(unseen);
+  const { basis: U, complement: Up } = columnSpace(inV, () => unseen.columns);
+  return { U, Up };
 }
 
 /** The Riccati solution; a failure names what moves in the mode that is nearest to the axis. */
@@ -138,7 +160,7 @@ function solveNamed(
   { states }: Linearization,
 ): RiccatiSolution {
   try {
-    return solveCare(A, B, C.transpose().mmul(C), R);
+    return solveCare(A, B, C.transpose().mmul(C), R, C);
   } catch (error) {
     if (!(error instanceof ControlError)) throw error;
     const nearest = modesOf(A, toStates, states).sort(

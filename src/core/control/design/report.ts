@@ -28,6 +28,8 @@ export interface ControlReport {
   /** Diagonals, by state and by input. */
   Q: number[] | null;
   R: number[] | null;
+  /** The same by name, as they were used: states that `control.Q` leaves out count 0, or 1 where it names none. */
+  weights: { Q: Record<string, number>; R: Record<string, number> } | null;
   /** Of the modes that the design placed. */
   closedLoop: Decay[] | null;
   /** Reachable modes on the imaginary axis that Q does not see: left alone. */
@@ -106,6 +108,10 @@ function plantReport(
   };
 }
 
+function byName(names: readonly string[], values: readonly number[]): Record<string, number> {
+  return Object.fromEntries(names.map((name, i) => [name, values[i]!]));
+}
+
 function designReport(design: LqrDesign | null) {
   return {
     K: design?.gain.to2DArray() ?? null,
@@ -113,6 +119,10 @@ function designReport(design: LqrDesign | null) {
     careResidual: design?.riccati.residual ?? null,
     Q: design ? [...design.weights.Q] : null,
     R: design ? [...design.weights.R] : null,
+    weights: design && {
+      Q: byName(design.linearization.states, design.weights.Q),
+      R: byName(design.linearization.inputs, design.weights.R),
+    },
     closedLoop: design ? decays(design.placed) : null,
     unseen: design?.unseen ?? null,
   };

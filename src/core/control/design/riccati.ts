@@ -1,6 +1,9 @@
 import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
 import { ControlError, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
 import { complexText, ON_AXIS, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
+import { solveCareTwice } from './careTwice.ts';
+import { axisSubspace } from '../linearization/axisSubspace.ts';
+import { unobservableSubspace } from '../linearization/reachability.ts';
 import { lyapunov } from './sylvester.ts';
 
 /**
@@ -14,7 +17,9 @@ import { lyapunov } from './sylvester.ts';
  * Trans. Automatic Control 13 (1968), 114-115), in the form that corrects by the residual, down to rounding. Both are done
  * twice: the first solution gives the coordinates in which the second is well scaled.
  *
- * Not guaranteed: small entries of X beside very large ones to full relative precision. The residual says how good it is.
+ * Where doubles do not hold the weights and rates beside each other, the same is done in twice the precision
+ * (`careTwice.ts`). Not guaranteed: small entries of X beside very large ones to full relative precision; the residual
+ * says how good it is.
  */
 export interface RiccatiSolution {
   X: Matrix;
@@ -39,9 +44,11 @@ const ACCEPTED = 1e-10;
 
 /**
  * @param R diagonal of the input weights, all positive
+ * @param C with Q = C^T C, where it is known and every mode of A on the axis is seen by it: small weights beside large
+ * ones survive in C, not in Q
  * @throws ControlError where there is no stabilizing solution to be had
  */
-export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[]): RiccatiSolution {
+export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[], C?: Matrix): RiccatiSolution {
   const n = A.rows;
   // In units where every input costs 1: u = R^-1/2 w.
   const unit = Matrix.diag(R.map((r) => 1 / Math.sqrt(r)));
@@ -55,19 +62,46 @@ export function solveCare(A: Matrix, B: Matrix, Q: Matrix, R: readonly number[])
       doublings: 0,
       corrections: 0,
     };
+  // With a mode on the axis that costs nothing there is none; what follows only comes near it, ever more slowly.
+  const found = !C && freeOnAxis(A, Q) ? null : (inDoubles(A, F, Q) ?? inTwiceThePrecision(A, F, C ?? rootOf(Q)));
+  if (!found) throw new ControlError(unsolvable(plainEigenvalues(A)));
+  const { w, ...solution } = found;
+  return { ...solution, gain: unit.mmul(w) };
+}
+
+/** Whether a mode on the imaginary axis costs nothing. */
+function freeOnAxis(A: Matrix, Q: Matrix): boolean {
+  const axis = axisSubspace(A, norm(A));
+  return unobservableSubspace(axis.transpose().mmul(A).mmul(axis), Q.mmul(axis)).unseen.columns > 0;
+}
+
+/** C with C^T C = Q. */
+function rootOf(Q: Matrix): Matrix {
+  const { realEigenvalues, eigenvectorMatrix } = new EigenvalueDecomposition(Q, { assumeSymmetric: true });
+  return Matrix.diag(realEigenvalues.map((x) => Math.sqrt(Math.max(0, x)))).mmul(eigenvectorMatrix.transpose());
+}
+
+type Found = Omit<RiccatiSolution, 'gain'> & { w: Matrix };
+
+function inDoubles(A: Matrix, F: Matrix, Q: Matrix): Found | null {
   const start = stabilizing(A, F, Q);
-  if (!start) throw new ControlError(unsolvable(plainEigenvalues(A)));
+  if (!start) return null;
   const { inverseT, a, f, q } = start;
   const { Y, corrections, converged } = refine(a, f, q, start.Y);
-  const w = f.transpose().mmul(Y);
-  const closedLoop = plainEigenvalues(Matrix.sub(a, f.mmul(w)));
+  const scaled = f.transpose().mmul(Y);
+  const closedLoop = plainEigenvalues(Matrix.sub(a, f.mmul(scaled)));
   const X = symmetricPart(inverseT.transpose().mmul(Y).mmul(inverseT));
-  const residual = Math.max(careResidual(a, f, q, Y), relativeRemainder(A.transpose().mmul(X), w.mmul(inverseT), Q));
+  const w = scaled.mmul(inverseT);
+  const residual = Math.max(careResidual(a, f, q, Y), relativeRemainder(A.transpose().mmul(X), w, Q));
   // On the axis to rounding is not stable: there the two halves of the Hamiltonian's spectrum meet.
-  const slow = closedLoop.filter(([re]) => !(re < -ON_AXIS * norm(A)));
-  if (slow.length > 0 || !converged || !(residual < ACCEPTED))
-    throw new ControlError(unsolvable(slow.length > 0 ? slow : closedLoop));
-  return { X, gain: unit.mmul(w).mmul(inverseT), residual, closedLoop, doublings: start.steps, corrections };
+  const stable = closedLoop.every(([re]) => re < -ON_AXIS * norm(A));
+  if (!stable || !converged || !(residual < ACCEPTED)) return null;
+  return { X, w, residual, closedLoop, doublings: start.steps, corrections };
+}
+
+function inTwiceThePrecision(A: Matrix, F: Matrix, C: Matrix): Found | null {
+  const found = solveCareTwice(A, F, C);
+  return found && found.residual < ACCEPTED ? { ...found, corrections: 0 } : null;
 }
 
 function unsolvable(near: readonly Complex[]): string {
@@ -124,16 +158,18 @@ function doubling(A: Matrix, G: Matrix, H: Matrix): { Y: Matrix; steps: number }
   return null;
 }
 
-/** Shares of |A| tried for gamma. */
+/** Shares tried for gamma: of |A|, and of the rate that G and H make by themselves, which a plant of integrators has alone. */
 const GAMMAS = Array.from({ length: 7 }, (_, i) => 4 ** (i - 5));
+const SLOW = 1e-6;
 
 /** The Cayley transform whose matrices to invert are best conditioned (the paper minimizes the same by a line search). */
 function bestCayley(A: Matrix, G: Matrix, H: Matrix): { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null {
-  const size = norm(A) || 1;
+  const sizes = [norm(A), Math.sqrt(norm(G) * norm(H))];
   let best: { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null = null;
   let least = Infinity;
-  for (const share of GAMMAS) {
-    const tried = cayley(A, G, H, share * size);
+  for (const gamma of sizes.flatMap((size) => GAMMAS.map((share) => share * size))) {
+    // Far below every rate the transform is the identity to rounding, and perfectly conditioned.
+    const tried = gamma > SLOW * Math.max(...sizes) ? cayley(A, G, H, gamma) : null;
     if (tried && tried.condition < least) {
       least = tried.condition;
       best = tried;

@@ -69,11 +69,43 @@ export interface ColumnSpace {
   dropped: number;
 }
 
+/** Shares of a scale between which a singular value may be either small or rounding: there the widest gap decides. */
+const CERTAIN = 1e-6;
+const ROUNDING_AT_MOST = 1e-10;
+/** What rounding leaves of a zero at the least: smaller values differ by chance. */
+const LEAST = 1e-15;
+
 /**
- * Column space by singular values (Golub and Van Loan, Matrix Computations, 4th ed., section 5.4): those at or below
- * `threshold` count as zero.
+ * How many singular values count. Rounding grows with what came before (a direction found by a small singular value
+ * carries an error of its inverse), so that no fixed number tells a weak coupling from rounding; but between the two
+ * lies a gap. Above `CERTAIN` of the scale a value counts; below, the widest gap between neighbours decides, where the
+ * smaller one can be rounding.
+ *
+ * @param values singular values, the largest first
+ * @param scale size of what they are computed from: that of a matrix without cancellation
+ * @param strength product of the shares that counted before, where the values follow from them
  */
-export function columnSpace(A: Matrix, threshold: number): ColumnSpace {
+export function rankByGap(values: readonly number[], scale: number, strength = 1): number {
+  if (!(scale > 0)) return 0;
+  const least = Math.min(CERTAIN / 10, LEAST / strength);
+  const atMost = Math.max(ROUNDING_AT_MOST, 10 * least);
+  const shares = values.map((value) => Math.max(value / scale, least));
+  const certain = shares.filter((share) => share > CERTAIN).length;
+  let [rank, widest] = [shares.length, 1];
+  // With none below it, the smallest is compared with what rounding leaves.
+  for (let k = certain; k <= shares.length; k++) {
+    const smaller = shares[k] ?? least;
+    const gap = (shares[k - 1] ?? 1) / smaller;
+    if (smaller <= atMost && gap > widest) [rank, widest] = [k, gap];
+  }
+  return rank;
+}
+
+/**
+ * Column space by singular values (Golub and Van Loan, Matrix Computations, 4th ed., section 5.4).
+ * @param count how many count, of all (the largest first); a number: those above it
+ */
+export function columnSpace(A: Matrix, count: number | ((values: readonly number[]) => number)): ColumnSpace {
   const m = A.rows;
   if (m === 0 || A.columns === 0) return { basis: new Matrix(m, 0), complement: Matrix.eye(m), kept: 0, dropped: 0 };
   // Padded with zero columns, so that the left singular vectors are a full basis.
@@ -83,7 +115,7 @@ export function columnSpace(A: Matrix, threshold: number): ColumnSpace {
     autoTranspose: true,
   });
   const values = diagonal.slice(0, Math.min(m, A.columns));
-  const rank = values.filter((s) => s > threshold).length;
+  const rank = typeof count === 'number' ? values.filter((s) => s > count).length : count(values);
   return {
     basis: columnsOf(U, 0, rank),
     complement: columnsOf(U, rank, m),

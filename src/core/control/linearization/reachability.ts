@@ -1,6 +1,6 @@
-import { Matrix } from 'ml-matrix';
-import { besides, columnSpace, norm } from './matrices.ts';
-import { distance, eigenvalues, modesOf, ROUNDING, type Complex, type Mode } from './spectrum.ts';
+import { inverse, Matrix, QrDecomposition } from 'ml-matrix';
+import { besides, columnSpace, norm, rankByGap } from './matrices.ts';
+import { distance, eigenvalues, modesOf, type Complex, type Mode } from './spectrum.ts';
 import { sylvesterLeastSquares } from '../design/sylvester.ts';
 
 /** Where inputs can bring a linear system, and where not. */
@@ -15,6 +15,8 @@ export interface Reachability {
    * an input's own column at the first stage, of A's norm at the later ones). Far apart is safe.
    */
   margin: { kept: number; dropped: number };
+  /** Product over the stages of the smallest share that counted: the rounding of the last directions is that of A over it. */
+  strength: number;
 }
 
 /**
@@ -26,19 +28,25 @@ export interface Reachability {
  *
  * @param sizes what each column of B would be if nothing cancelled in it (its own size if left out): a column that is
  * rounding beside that does nothing
+ * @param before strength of what A itself was cut out by, 1 for a matrix as it was computed
  */
-export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[]): Reachability {
-  const size = norm(A);
+export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[], before = 1): Reachability {
+  const whole = norm(A);
   const stages: number[] = [];
   const margin = { kept: Infinity, dropped: 0 };
   let V = new Matrix(A.rows, 0);
   let complement = Matrix.eye(A.rows);
   let block = normalizedColumns(B, sizes);
   let scale = 1;
+  let strength = before;
   while (complement.columns > 0 && block.columns > 0) {
     // In coordinates of the complement the new directions are orthogonal to the old ones to rounding.
-    const found = columnSpace(complement.transpose().mmul(block), ROUNDING * scale);
-    if (found.basis.columns > 0) margin.kept = Math.min(margin.kept, found.kept / scale);
+    const size = scale;
+    const found = columnSpace(complement.transpose().mmul(block), (values) => rankByGap(values, size, strength));
+    if (found.basis.columns > 0) {
+      margin.kept = Math.min(margin.kept, found.kept / scale);
+      strength *= Math.min(1, found.kept / scale);
+    }
     margin.dropped = Math.max(margin.dropped, found.dropped / (scale || 1));
     if (found.basis.columns === 0) break;
     const fresh = complement.mmul(found.basis);
@@ -46,19 +54,51 @@ export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[
     V = besides(V, fresh);
     complement = complement.mmul(found.complement);
     block = A.mmul(fresh);
-    scale = size;
+    scale = whole;
   }
-  return { reachable: V, complement, stages, margin };
+  return { reachable: V, complement, stages, margin, strength };
 }
 
 function normalizedColumns(B: Matrix, sizes?: readonly number[]): Matrix {
   let all = new Matrix(B.rows, 0);
   for (let c = 0; c < B.columns; c++) {
     const column = B.getColumnVector(c);
-    const length = norm(column);
-    if (length > ROUNDING * (sizes?.[c] ?? 0)) all = besides(all, column.div(length));
+    const size = sizes?.[c] ?? norm(column);
+    if (size > 0) all = besides(all, column.div(size));
   }
   return all;
+}
+
+/**
+ * The same plant in coordinates in which its rates are of order 1: velocities in a unit `s` of the plant's own, such
+ * that |dv'/dq| and |dq'/dv| are alike. Ranks are decided there: a weak coupling of A (steer with heading at walking
+ * pace) is then small beside 1, not beside stiffness of 1e3, and the rounding that it is told from is that much less.
+ */
+export interface BalancedPlant {
+  A: Matrix;
+  B: Matrix;
+  /** Orthonormal basis of what the constraints allow, in those units: states x d. */
+  basis: Matrix;
+  /** Back: tangent coordinates are `back` times balanced ones, d x d. */
+  back: Matrix;
+  /** The unit of velocities, 1/s. */
+  unit: number;
+}
+
+/** @param basis N of the linearization, orthonormal, states x d @param A N^T A N @param B N^T B */
+export function balanced(basis: Matrix, A: Matrix, B: Matrix): BalancedPlant {
+  const n = basis.rows / 2;
+  const whole = basis.mmul(A).mmul(basis.transpose());
+  const block = (r: number, c: number): number =>
+    Number.isInteger(n) && n > 0 ? norm(whole.subMatrix(r * n, r * n + n - 1, c * n, c * n + n - 1)) : 0;
+  // A plant of integrators has no rate of its own.
+  const unit = Math.max(Math.sqrt(block(1, 0) / block(0, 1)), block(1, 1));
+  const s = unit > 1e-6 && Number.isFinite(unit) ? 2 ** Math.round(Math.log2(unit)) : 1;
+  const scaled = basis.clone();
+  for (let i = n; i < basis.rows; i++) scaled.mulRow(i, 1 / s);
+  const { orthogonalMatrix: Q, upperTriangularMatrix: R } = new QrDecomposition(scaled);
+  const back = inverse(R);
+  return { A: R.mmul(A).mmul(back), B: R.mmul(B), basis: Q, back, unit: s };
 }
 
 /** A in blocks of reachable and other directions, and a complement that moves by itself. */
@@ -74,13 +114,29 @@ export interface ReachableSplit extends Reachability {
   W: Matrix;
   /** Largest entry of A S - S unreachableA + coupling, as a share of A's norm; above rounding no invariant complement exists. */
   complementResidual: number;
+  /** Where ranks were decided, with the reachable subspace there. */
+  balance: BalancedPlant & { reachable: Matrix };
   /** Norm of the whole A: the scale of rounding in all its blocks. */
   scale: number;
 }
 
-export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[]): ReachableSplit {
-  const reach = reachableSubspace(A, B, sizes);
-  const [V, Vp] = [reach.reachable, reach.complement];
+/**
+ * @param sizes of B's columns, as in `reachableSubspace`
+ * @param basis of the tangent space that A and B are in; with it ranks are decided in balanced coordinates
+ */
+export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[], basis?: Matrix): ReachableSplit {
+  const I = Matrix.eye(A.rows);
+  const plant = basis ? balanced(basis, A, B) : { A, B, basis: I, back: I, unit: 1 };
+  const inBalance = reachableSubspace(
+    plant.A,
+    plant.B,
+    sizes?.map((size) => size / plant.unit),
+  );
+  // What the inputs reach is the same subspace; its basis is orthonormal in tangent coordinates.
+  const { basis: V, complement: Vp } = basis
+    ? columnSpace(plant.back.mmul(inBalance.reachable), () => inBalance.reachable.columns)
+    : { basis: inBalance.reachable, complement: inBalance.complement };
+  const reach = { ...inBalance, reachable: V, complement: Vp, balance: { ...plant, reachable: inBalance.reachable } };
   const [Vt, Vpt] = [V.transpose(), Vp.transpose()];
   const inner = Vt.mmul(A).mmul(V);
   const coupling = Vt.mmul(A).mmul(Vp);
@@ -145,7 +201,8 @@ export function unobservableSubspace(
   A: Matrix,
   C: Matrix,
   sizes?: readonly number[],
+  before = 1,
 ): { unseen: Matrix; seen: Matrix; margin: Reachability['margin'] } {
-  const { reachable, complement, margin } = reachableSubspace(A.transpose(), C.transpose(), sizes);
+  const { reachable, complement, margin } = reachableSubspace(A.transpose(), C.transpose(), sizes, before);
   return { unseen: complement, seen: reachable, margin };
 }

@@ -1,0 +1,117 @@
+// Random regulators over systems, speeds, inputs and weights from 1e-8 to 1e8: each is solved, or refused for a reason
+// that holds. DESIGNS=10000 DESIGNS_SEED=7 makes the long form of it.
+import { EigenvalueDecomposition, Matrix, SingularValueDecomposition } from 'ml-matrix';
+import { expect, test } from 'vitest';
+import { designLqr, reachablePlant, type ReachablePlant } from '../../../src/core/control/design/lqr.ts';
+import { systems } from '../../../src/core/systems/registry.ts';
+import { seeded } from '../../helpers.ts';
+import { linearizationOf } from './helpers.ts';
+
+const COUNT = Number(process.env.DESIGNS ?? 250);
+const SEED = Number(process.env.DESIGNS_SEED ?? 4711);
+
+interface Plant {
+  at(random: () => number): Record<string, number | string>;
+  inputs: readonly string[];
+}
+
+const speed = (random: () => number, least: number, most: number): number => least * (most / least) ** random();
+
+const PLANTS: Record<string, Plant> = {
+  ripstik: {
+    at: (random) => (random() < 0.2 ? {} : { X_dot: speed(random, 0.01, 10) }),
+    inputs: ['tau_fc', 'tau_bc', 'tau_fp', 'tau_bp', 'tau_twist', 'f_X', 'f_Y', 'f_theta', 'f_alpha'],
+  },
+  bicycle: {
+    at: (random) => ({ speed: random() < 0.1 ? 0 : speed(random, 0.1, 10) }),
+    inputs: ['tau_roll', 'tau_steer', 'tau_rear', 'f_roll', 'f_y'],
+  },
+  'cart-pendulum': { at: (random) => (random() < 0.5 ? {} : { theta: '-pi/2' }), inputs: ['f_X', 'f_theta'] },
+  'wheel-pendulum': { at: (random) => (random() < 0.5 ? {} : { psi: 'pi/2' }), inputs: ['tau_phi', 'f_X', 'f_psi'] },
+  'rolling-wheel': { at: (random) => ({ phi_dot: speed(random, 0.1, 10) }), inputs: ['tau_theta', 'tau_phi'] },
+  'casterboard-robot': { at: () => ({}), inputs: ['tau_f', 'tau_r', 'f_x', 'f_theta'] },
+  'chaplygin-sleigh': { at: (random) => ({ x_dot: speed(random, 0.1, 10) }), inputs: ['f_x', 'f_theta'] },
+};
+
+/** Some of a list, at least one. */
+function some<T>(random: () => number, all: readonly T[], share: number): T[] {
+  const chosen = all.filter(() => random() < share);
+  return chosen.length > 0 ? chosen : [all[Math.floor(random() * all.length)]!];
+}
+
+function draw(random: () => number) {
+  const ids = Object.keys(PLANTS);
+  const id = random() < 0.5 ? 'ripstik' : ids[Math.floor(random() * ids.length)]!;
+  const inputs = id === 'ripstik' && random() < 0.5 ? ['tau_fc', 'tau_bc'] : some(random, PLANTS[id]!.inputs, 0.4);
+  const names = systems[id]!.meta.coordinates.map((c) => c.name);
+  const states = [...names, ...names.map((name) => `${name}_dot`)];
+  const wild = random() < 0.5;
+  const count = random() < 0.3 ? 2 : random() < 0.5 ? 3 : 1 + Math.floor(random() * states.length);
+  const Q: Record<string, number> = {};
+  for (let i = 0; i < count; i++)
+    Q[states[Math.floor(random() * states.length)]!] = wild ? 10 ** (-8 + 16 * random()) : 1;
+  const R = Object.fromEntries(inputs.map((name) => [name, wild ? 10 ** (-4 + 8 * random()) : 1]));
+  return { system: id, control: { type: 'lqr', inputs, at: PLANTS[id]!.at(random), Q, R } };
+}
+
+/**
+ * Hautus' test, another way than the code's own: whether some unstable eigenvalue's left eigenvectors are all but
+ * orthogonal to what the inputs do.
+ */
+function hasUnreachableUnstableMode({ linearization }: ReachablePlant): boolean {
+  const { tangentA: A, tangentB, inputSizes } = linearization;
+  // What an input does, as a share of what it would do without constraints.
+  const B = tangentB.clone();
+  inputSizes.forEach((s, k) => B.mulColumn(k, 1 / s));
+  const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(A);
+  const size = A.norm();
+  return realEigenvalues.some((re, i) => {
+    if (re < 1e-8 * size) return false;
+    const im = imaginaryEigenvalues[i]!;
+    const [n, k] = [A.rows, B.columns];
+    // [A - lambda, B] over the reals: twice the size.
+    const pencil = Matrix.zeros(2 * n, 2 * n + 2 * k);
+    const shifted = Matrix.sub(A, Matrix.eye(n).mul(re));
+    pencil.setSubMatrix(shifted, 0, 0).setSubMatrix(shifted, n, n);
+    pencil.setSubMatrix(Matrix.eye(n).mul(im), 0, n).setSubMatrix(Matrix.eye(n).mul(-im), n, 0);
+    pencil.setSubMatrix(Matrix.mul(B, size), 0, 2 * n).setSubMatrix(Matrix.mul(B, size), n, 2 * n + k);
+    const { diagonal } = new SingularValueDecomposition(pencil, { autoTranspose: true });
+    return Math.min(...diagonal) < 1e-8 * size;
+  });
+}
+
+test(`${COUNT} random designs of seed ${SEED} are solved, or refused because no input reaches an unstable mode`, () => {
+  const random = seeded(SEED);
+  let solved = 0;
+  for (let i = 0; i < COUNT; i++) {
+    const raw = draw(random);
+    const told = JSON.stringify(raw);
+    const plant = reachablePlant(linearizationOf(raw));
+    const { Q, R, inputs } = raw.control;
+    const weights = { Q: plant.linearization.states.map((s) => Q[s] ?? 0), R: inputs.map((name) => R[name]!) };
+    let design;
+    try {
+      design = designLqr(plant, weights);
+    } catch (error) {
+      expect((error as Error).message, told).toMatch(/no input reaches the unstable mode/);
+      expect(hasUnreachableUnstableMode(plant), told).toBe(true);
+      continue;
+    }
+    solved++;
+    expect(design.riccati.residual, told).toBeLessThan(1e-10);
+    for (const [re] of design.placed) expect(re, told).toBeLessThan(0);
+  }
+  expect(solved).toBeGreaterThan(0.8 * COUNT);
+});
+
+test('speed sideways and both plates at 1 m/s are a cost like any other', () => {
+  const plant = reachablePlant(
+    linearizationOf({ system: 'ripstik', control: { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } } }),
+  );
+  const Q = plant.linearization.states.map((s) => (['alpha_fp', 'alpha_bp', 'Y_dot'].includes(s) ? 1 : 0));
+  const design = designLqr(plant, { Q, R: [1, 1] });
+  // Where the board is across its way costs nothing and is left alone: the heading is seen, Y is not.
+  expect(design.unseen.map(({ moves }) => moves)).toEqual([['Y']]);
+  expect(design.placed).toHaveLength(9);
+  expect(design.riccati.residual).toBeLessThan(1e-12);
+});

@@ -6,9 +6,16 @@ import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
+/** `ripstik` for its equations, `ripstik-drawing`, `ripstik-typeset`. */
+function nameOf(module: string): string {
+  const [, id, part] =
+    /systems\/([\w-]+)\/(equations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
+  return id ? (part === 'equations' ? id : `${id}-${part}`) : '[name]';
+}
+
 /** A system's dynamics are a file named after it, so that sizes and network logs can be read. */
 const chunkFileNames = ({ facadeModuleId }: { facadeModuleId: string | null }): string =>
-  `assets/${/systems\/([\w-]+)\/equations\.generated\.ts$/.exec(facadeModuleId ?? '')?.[1] ?? '[name]'}-[hash].js`;
+  `assets/${nameOf(facadeModuleId ?? '')}-[hash].js`;
 
 /** KaTeX's style sheet names each font three times; every browser that runs this page reads woff2. */
 const woff2Only = {

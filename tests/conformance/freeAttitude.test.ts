@@ -210,3 +210,13 @@ test('where the board is not free, pitch 90° is named, and not its masses', () 
   expect(end.reason).toBe('mass-matrix-singular');
   expect(end.message).toMatch(/psi is at 90°/);
 });
+
+test.each([
+  [0.2, /smaller step/],
+  [0.001, /^ran to t = 1 s$/],
+])('a fixed step of %d s past 90° says whether it was too long for it', (step, message) => {
+  const raw = { version: 1, system: 'ripstik', constraints: 'none', initial: { psi: 0.4, psi_dot: 5.5 }, duration: 1 };
+  const { end } = runOf({ ...raw, method: { name: 'rk4', step } });
+  expect(end.reason).toBe('end');
+  expect(end.message).toMatch(message);
+});

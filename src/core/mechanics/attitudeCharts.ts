@@ -19,6 +19,8 @@ import { parameterIndex, type System } from '../model/system.ts';
 
 /** A chart is left where |cos pitch'| falls below this (60°): far from the singularity, and rarely. */
 const LEFT_BELOW = 0.5;
+/** A step that ends where |cos pitch'| is below this (80°) came from above 60° in one: too long to be right there. */
+const TOO_FAR = 0.17;
 /** Within this of ±90° yaw and roll turn about one axis: the yaw stays as it was. Some hundred roundings. */
 const POLE = 1e-13;
 /** For forces known in the angles' own terms |cos pitch| is kept above this: at the pole itself they are 0/0. */
@@ -28,6 +30,9 @@ const STEP = Math.cbrt(Number.EPSILON);
 export class AttitudeCharts {
   /** The system in the present chart. */
   readonly system: System;
+  /** A step went from clear of the pole to beside it: it was too long for what it passed. */
+  overshot = false;
+  private started = false;
   /** Q by rows. */
   private readonly Q = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
   private turned = false;
@@ -204,7 +209,10 @@ export class AttitudeCharts {
     const { Q, R, S, angles } = this;
     rotation(q[angles[0]!]!, q[angles[1]!]!, q[angles[2]!]!, R);
     product(Q, R, S);
+    const first = !this.started;
+    this.started = true;
     if (Math.hypot(S[0]!, S[3]!) >= LEFT_BELOW) return false;
+    this.overshot ||= !first && Math.hypot(S[0]!, S[3]!) < TOO_FAR;
     this.turned = Math.hypot(R[0]!, R[3]!) < LEFT_BELOW;
     for (let i = 0; i < 3; i++)
       for (let j = 0; j < 3; j++) Q[3 * i + j] = this.turned ? R[3 * j + i]! : i === j ? 1 : 0;

@@ -290,7 +290,10 @@ export class Simulation {
       this.sampleQ.set(q);
       this.sampleV.set(v);
       this.emit(stepper.t);
-      return this.stop('end', `ran to t = ${scenario.duration} s`);
+      const doubt = this.charts?.overshot
+        ? '; a step passed too near to pitch 90° to be right there: choose a smaller step'
+        : '';
+      return this.stop('end', `ran to t = ${scenario.duration} s${doubt}`);
     }
     // Last, because the dense output of the step is in the old meaning of y.
     if (formulation.rebase(q, v)) {

@@ -3,7 +3,7 @@
 import { EigenvalueDecomposition, Matrix, SingularValueDecomposition } from 'ml-matrix';
 import { expect, test } from 'vitest';
 import { designLqr, reachablePlant, type ReachablePlant } from '../../../src/core/control/design/lqr.ts';
-import { systems } from '../../../src/core/systems/registry.ts';
+import { systems } from '../../../src/core/systems/all.ts';
 import { seeded } from '../../helpers.ts';
 import { linearizationOf } from './helpers.ts';
 

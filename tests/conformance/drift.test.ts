@@ -38,6 +38,6 @@ describe('the falling board with its projection and without', () => {
   test.each([1e-4, 1e-5, 1e-6, 1e-7])('ida without projection reaches the end at rtol %d', (rtol) => {
     const run = runOf({ ...falling, duration: 2, method: { name: 'ida', rtol, atol: 0.01 * rtol, projection: false } });
     expect(run.end.reason).toBe('end');
-    expect(Math.abs(run.counts.energyDrift)).toBeLessThan(0.002);
+    expect(Math.abs(run.counts.energyDrift!)).toBeLessThan(0.002);
   });
 });

@@ -38,7 +38,7 @@ describe('a run by ida', () => {
       expect(run.end).toMatchObject({ reason: 'end', time: scenario.duration });
       expect(apart(run, expected, rows)).toBeLessThan(within);
       expect(run.counts.residual).toBeLessThan(projection ? 1e-12 : 1e-7);
-      expect(Math.abs(run.counts.energyDrift)).toBeLessThan(1e-6);
+      expect(Math.abs(run.counts.energyDrift!)).toBeLessThan(1e-6);
       const { steps, evaluations, jacobians, factorizations } = run.counts;
       expect(Math.min(steps, evaluations - steps, jacobians, factorizations)).toBeGreaterThan(0);
     }
@@ -98,6 +98,6 @@ describe('a run by ida', () => {
 test.each(reportMethods)("the report's $label runs its falling board by name", ({ method, id }) => {
   const run = runOf({ ...caseNamed('falling-report'), duration: 1, method });
   expect(run.end, id).toMatchObject({ reason: 'end', time: 1 });
-  expect(Math.abs(run.counts.energyDrift)).toBeLessThan(1e-4);
+  expect(Math.abs(run.counts.energyDrift!)).toBeLessThan(1e-4);
   expect(run.counts.residual).toBeLessThan(1e-12);
 });

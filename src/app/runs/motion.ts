@@ -18,7 +18,11 @@ export interface RunStatistics {
   rejected: number;
   evaluations: number;
   /** Energy now minus energy at the start, over the run's largest kinetic energy so far. */
-  energyDrift: number;
+  energyDrift: number | null;
+  /** Energy now minus energy at the start, J. */
+  energyChange: number;
+  /** What inputs, controllers and pushes put in, J; null where nothing acts. */
+  work: number | null;
   /** Largest constraint residual so far. */
   residual: number;
 }
@@ -58,5 +62,5 @@ export interface Motion {
   /** The pushes on the run: with them, and only with them, the scenario can be run again. */
   pushes?: readonly PushRecord[];
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
-  judgement: { energyDrift: number; residual: number } | null;
+  judgement: { energyDrift: number | null; energyChange: number; residual: number } | null;
 }

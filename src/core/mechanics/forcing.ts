@@ -9,8 +9,11 @@ export interface Forcing {
 
 /** What a controller asks of one input, from the state. */
 export interface Feedback {
-  value(t: number, q: Float64Array, v: Float64Array): number;
-  /** Adds its derivatives by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
+  /** Before any limit. */
+  asked(t: number, q: Float64Array, v: Float64Array): number;
+  /** The most that the input gives, either way. */
+  readonly limit: number;
+  /** Adds the derivatives of what is asked by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
   addSlopes(
     t: number,
     q: Float64Array,

@@ -115,7 +115,7 @@ export class RunMeasurer {
   result(end: RunEnd, counts: RunCounts, seconds: number): number[] {
     const facts: Record<FactKind, number> = {
       time: end.time,
-      drift: counts.energyDrift,
+      drift: counts.energyDrift ?? NaN,
       residual: counts.residual,
       steps: counts.steps,
       seconds,

@@ -3,6 +3,8 @@ import type { Scenario, TrackControl } from '../scenario/types.ts';
 import type { InputMeta, SystemMeta } from '../model/system.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
 import { inputsOf } from '../model/inputs.ts';
+import { InputPlan, type PlanOptions } from './inputPlan.ts';
+import { Saturation } from './saturation.ts';
 
 /** All inputs a scenario drives: their names, and the forces and values at a moment. */
 export interface Actuation {
@@ -12,28 +14,36 @@ export interface Actuation {
   readonly forcing: Forcing | null;
   /** u at a moment, into `out` (one per name). */
   values(t: number, q: Float64Array, v: Float64Array, out: Float64Array): void;
+  /** What is known of the inputs beforehand, for a run that steps by it; null where they are constant or none. */
+  readonly plan: InputPlan | null;
 }
 
 /** One input as it goes: open loop, closed loop or both; what does not react to the state has no slopes. */
-type Signal = Pick<Feedback, 'value'> & Partial<Pick<Feedback, 'addSlopes'>>;
+type Signal = Pick<Saturation, 'value'> & Partial<Pick<Saturation, 'addSlopes'>>;
 
 /**
  * Binds a scenario's open-loop inputs and controller.
+ * With a plan, formulas keep what their switches decided for the stretch that the plan is in, and a controller the side of
+ * its limit; without one everything is decided anew at every moment.
+ *
  * @param feedback an lqr's state feedback by input; its design is no part of a run (`control/feedback.ts`)
  */
 export function actuationOf(
   scenario: Scenario,
   meta: SystemMeta,
   feedback: ReadonlyMap<string, Feedback> | null = null,
+  planned: PlanOptions | null = null,
 ): Actuation {
   const { control } = scenario;
   if (control?.type === 'lqr' && !feedback)
     throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
+  const plan = planned && new InputPlan(planned);
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
-    const closed: Signal | null =
-      control?.type === 'track' ? tracking(control, input, meta) : (feedback?.get(input.name) ?? null);
-    const signal = total(openLoop(scenario, input), closed);
+    const loop = control?.type === 'track' ? tracking(control, input, meta, plan) : feedback?.get(input.name);
+    const closed = loop ? new Saturation(loop) : null;
+    if (closed?.limited) plan?.saturations.push(closed);
+    const signal = total(openLoop(scenario, input, plan), closed);
     // The named inputs are always there, so that a file of a run with inputs has the same columns for every run.
     if (signal || meta.inputs.includes(input)) parts.push({ input, signal });
   }
@@ -64,7 +74,12 @@ export function actuationOf(
       }
     }
   };
-  return { names: parts.map((p) => p.input.name), forcing: driven.length > 0 ? forcing : null, values };
+  return {
+    names: parts.map((p) => p.input.name),
+    forcing: driven.length > 0 ? forcing : null,
+    values,
+    plan: plan?.idle === false ? plan : null,
+  };
 }
 
 /** An open-loop signal adds to what the controller asks, and reacts to nothing. */
@@ -76,36 +91,35 @@ function total(open: Signal | null, closed: Signal | null): Signal | null {
   };
 }
 
-function openLoop(scenario: Scenario, input: InputMeta): Signal | null {
+function openLoop(scenario: Scenario, input: InputMeta, plan: InputPlan | null): Signal | null {
   const text = scenario.inputs[input.name];
   if (text === undefined) return null;
   const expression = compileExpression(text, { variables: ['t'] });
+  plan?.add(expression, input.name, false);
   return { value: (t) => expression.evaluate(t) };
 }
 
-/** PD on what the input tracks: -kp (sum q - r) - kd (sum v - r_dot), within the limit if there is one. */
-function tracking(control: TrackControl, input: InputMeta, meta: SystemMeta): Signal | null {
+/** PD on what the input tracks: -kp (sum q - r) - kd (sum v - r_dot). */
+function tracking(control: TrackControl, input: InputMeta, meta: SystemMeta, plan: InputPlan | null): Feedback | null {
   const text = control.reference[input.name];
   if (text === undefined || !input.tracks) return null;
   const reference = compileExpression(text, { variables: ['t'] });
+  plan?.add(reference, input.name, true);
   const index = input.tracks.map((name) => meta.coordinates.findIndex((c) => c.name === name));
   const { kp, kd } = control;
   const bound = control.limits?.[input.name];
-  const limit = bound === undefined ? Infinity : compileExpression(bound, { variables: [] }).evaluate(0);
-  const asked = (t: number, q: Float64Array, v: Float64Array): number => {
-    let position = -reference.evaluate(t);
-    let rate = -reference.derivative(t);
-    for (let k = 0; k < index.length; k++) {
-      position += q[index[k]!]!;
-      rate += v[index[k]!]!;
-    }
-    return -kp * position - kd * rate;
-  };
   return {
-    value: (t, q, v) => Math.max(-limit, Math.min(limit, asked(t, q, v))),
-    addSlopes: (t, q, v, weight, row, forceQ, forceV) => {
-      // At its limit the controller no longer reacts.
-      if (!(Math.abs(asked(t, q, v)) < limit)) return;
+    limit: bound === undefined ? Infinity : compileExpression(bound, { variables: [] }).evaluate(0),
+    asked(t, q, v) {
+      let position = -reference.evaluate(t);
+      let rate = -reference.derivative(t);
+      for (let k = 0; k < index.length; k++) {
+        position += q[index[k]!]!;
+        rate += v[index[k]!]!;
+      }
+      return -kp * position - kd * rate;
+    },
+    addSlopes(_t, _q, _v, weight, row, forceQ, forceV) {
       for (let k = 0; k < index.length; k++) {
         forceQ[row + index[k]!]! -= weight * kp;
         forceV[row + index[k]!]! -= weight * kd;

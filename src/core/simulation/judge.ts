@@ -1,11 +1,14 @@
 import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { Projection } from '../mechanics/projection.ts';
+import { driftOf } from './energyBalance.ts';
 import type { System } from '../model/system.ts';
 
 /** How well recorded numbers keep energy and constraints. */
 export interface Judgement {
-  /** (E at the end - E at the start) / largest kinetic energy. */
-  energyDrift: number;
+  /** (E at the end - E at the start) / largest kinetic energy; null for a system at rest, where that means nothing. */
+  energyDrift: number | null;
+  /** E at the end - E at the start, J. */
+  energyChange: number;
   /** Largest of |Omega v| (m/s) and |contact heights| (m). */
   residual: number;
 }
@@ -35,6 +38,7 @@ export function judgeMotion(
   const energies = new Float64Array(2);
   let first = 0;
   let kinetic = 0;
+  let size = 0;
   let residual = 0;
   for (let row = 0; row < rows; row++) {
     for (let i = 0; i < q.length; i++) {
@@ -44,7 +48,9 @@ export function judgeMotion(
     system.energy(q, v, p, energies);
     if (row === 0) first = energies[0]! + energies[1]!;
     kinetic = Math.max(kinetic, energies[0]!);
+    size = Math.max(size, Math.abs(energies[1]!));
     residual = Math.max(residual, projection.residual(q, v));
   }
-  return { energyDrift: (energies[0]! + energies[1]! - first) / (kinetic > 0 ? kinetic : 1), residual };
+  const energyChange = energies[0]! + energies[1]! - first;
+  return { energyDrift: driftOf(energyChange, kinetic, size), energyChange, residual };
 }

@@ -3,13 +3,18 @@ import { AttitudeCharts } from '../mechanics/attitudeCharts.ts';
 import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
-import type { Feedback } from '../mechanics/forcing.ts';
+import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
+import { unseenAt, type InputPlan } from './inputPlan.ts';
+import type { Saturation } from './saturation.ts';
+import type { Feedback, Forcing } from '../mechanics/forcing.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
 import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { Scenario } from '../scenario/types.ts';
 import { dependentWords, singularMassWords, type System } from '../model/system.ts';
+import { methods } from '../integrators/methods.ts';
+import { DEFAULT_STEP } from '../integrators/shared/fixedStepper.ts';
 import { motionOf } from './motion.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';
@@ -21,14 +26,12 @@ export interface RunEnd {
   time: number;
 }
 
-export interface RunCounts {
+export interface RunCounts extends EnergyNumbers {
   steps: number;
   rejected: number;
   evaluations: number;
   jacobians: number;
   factorizations: number;
-  /** (E - E at the start) / largest kinetic energy so far. */
-  energyDrift: number;
   /** Largest constraint residual of an emitted row. */
   residual: number;
 }
@@ -61,6 +64,15 @@ const CHUNK_ROWS = 512;
 /** A time closer than this (s) to one that was to be reached is that time. */
 const REACHED = 1e-9;
 
+/** A fixed step that passes over less than this part of an input is as good as its method is. */
+const SMALL_PART = 1e-3;
+
+/** Places within a step where a controller is asked whether it has reached its limit, or left it. */
+const LIMIT_LOOKS = 4;
+
+/** Limits that are reached and left at one moment: beyond so many turns the limit acts at every moment of one step. */
+const MOST_TURNS = 6;
+
 /** What `columns` of a scenario may ask for; state columns are always there. */
 export const EXTRA_COLUMNS = ['lambda', 'energy', 'residual', 'inputs'] as const;
 
@@ -89,7 +101,15 @@ export class Simulation {
   private readonly scenario: Scenario;
   private readonly system: System;
   private readonly n: number;
+  /** As the formulas stand, for rows. */
   private readonly actuation: Actuation;
+  /** What the steps know of the inputs beforehand. */
+  private readonly plan: InputPlan | null;
+  /** A controller's limit to be reached or left, and when: steps end there. */
+  private turning: { saturation: Saturation; time: number } | null = null;
+  private turns = 0;
+  /** State at the start of the step, where controllers have limits. */
+  private readonly before: Float64Array;
   private readonly projection: Projection;
   /** The formulation, or the residual of `ida`. */
   private readonly formulation: StateMap;
@@ -109,6 +129,7 @@ export class Simulation {
   private readonly lambda: Float64Array;
   private readonly u: Float64Array;
   private readonly energies = new Float64Array(2);
+  private readonly balance: EnergyBalance;
   /** State at the end of the last step, and at a time within it. */
   private readonly endQ: Float64Array;
   private readonly endV: Float64Array;
@@ -120,9 +141,6 @@ export class Simulation {
   /** Pushes to come, the next one last. */
   private readonly coming: PushRecord[];
   private emitted = 0;
-  private startEnergy = 0;
-  private energy = 0;
-  private largestKinetic = 0;
   private largestResidual = 0;
 
   constructor(
@@ -136,27 +154,39 @@ export class Simulation {
     const n = (this.n = meta.coordinates.length);
     const parameters = Float64Array.from(meta.parameters, (p) => scenario.parameters[p.name]!);
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
+    const startTime = from?.time ?? 0;
     this.actuation = actuationOf(scenario, meta, feedback);
+    const planned = { from: startTime, until: scenario.duration, quiet: unseenAt(scenario.method.rtol) };
+    const stepped = this.actuation.forcing ? actuationOf(scenario, meta, feedback, planned) : this.actuation;
+    this.plan = stepped.plan;
     const start = from
       ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
-    this.notes = start.notes;
+    const unresolved = stepped.plan && fixedStepOf(scenario.method);
+    this.notes = [
+      ...start.notes,
+      ...(unresolved
+        ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
+        : []),
+    ];
     this.q = start.q;
     this.v = start.v;
     this.hand = pushes ? new PushForce(system, parameters) : null;
     this.coming = [...(pushes ?? [])].reverse();
-    const forcing = this.hand ? together(this.actuation.forcing, this.hand.forcing) : this.actuation.forcing;
+    const forced = ({ forcing }: Actuation): Forcing | null =>
+      this.hand ? together(forcing, this.hand.forcing) : forcing;
+    this.balance = new EnergyBalance(forced(stepped), n);
     this.charts = AttitudeCharts.of(system, parameters, scenario.constraints, hold);
     this.dynamics = new ConstrainedSystem(
       this.charts?.system ?? system,
       parameters,
       scenario.constraints,
       hold,
-      this.charts ? this.charts.forcing(forcing, parameters) : forcing,
+      this.charts ? this.charts.forcing(forced(stepped), parameters) : forced(stepped),
     );
     this.projection = new Projection(this.dynamics);
-    this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forcing);
+    this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forced(this.actuation));
     this.rowProjection = new Projection(this.rowDynamics);
     this.a = new Float64Array(n);
     this.lambda = new Float64Array(this.dynamics.m);
@@ -176,7 +206,8 @@ export class Simulation {
     this.projecting = scenario.method.projection && this.dynamics.m > 0;
     if (this.projecting && problem) problem.project = (t, y) => this.projectEnd(t, y);
     this.sample = new Float64Array(this.stepper.y.length);
-    this.begin(from?.time ?? 0);
+    this.before = new Float64Array(this.stepper.y.length);
+    this.begin(startTime);
     if (from) {
       this.rows = 0;
       this.emitted = Math.round(from.time / scenario.outputStep) + 1;
@@ -193,7 +224,6 @@ export class Simulation {
   }
 
   get counts(): RunCounts {
-    const scale = this.largestKinetic > 0 ? this.largestKinetic : 1;
     const { steps, rejected, evaluations, jacobians, factorizations } = addCounters(
       this.earlier,
       this.stepper.counters,
@@ -204,7 +234,7 @@ export class Simulation {
       evaluations,
       jacobians,
       factorizations,
-      energyDrift: (this.energy - this.startEnergy) / scale,
+      ...this.balance.numbers,
       residual: this.largestResidual,
     };
   }
@@ -252,7 +282,7 @@ export class Simulation {
     this.sampleQ.set(q);
     this.sampleV.set(v);
     this.emit(time);
-    this.startEnergy = this.energy;
+    for (const saturation of this.plan?.saturations ?? []) saturation.decide(time, q, v);
     this.events.forEach((event, i) => {
       const value = event.value(time, this.q, this.v);
       this.eventValues[i] = value;
@@ -267,8 +297,16 @@ export class Simulation {
   }
 
   private oneStep(): void {
-    const { stepper, formulation, scenario, endQ: q, endV: v } = this;
-    const failure = stepper.step(Math.min(scenario.duration, this.horizon, this.coming.at(-1)?.time ?? Infinity));
+    const { stepper, formulation, scenario, plan, endQ: q, endV: v } = this;
+    const limit = Math.min(
+      scenario.duration,
+      this.horizon,
+      this.coming.at(-1)?.time ?? Infinity,
+      plan?.end ?? Infinity,
+      this.turning?.time ?? Infinity,
+    );
+    if (plan && plan.saturations.length > 0) this.before.set(stepper.y);
+    const failure = stepper.step(limit, plan?.bound(stepper.t));
     if (failure) return this.stop(failure, this.failureMessage(failure, stepper.t));
     if (this.projecting && !stepper.projects) {
       if (!this.projectEnd(stepper.t, stepper.y)) {
@@ -278,13 +316,16 @@ export class Simulation {
       stepper.stateChanged();
     }
     formulation.toState(stepper.y, q, v);
+    if (plan && this.turnsWithin(plan)) return;
     const crossing = this.findCrossing();
     if (crossing) {
+      this.addWork(crossing.time);
       this.emitBefore(crossing.time);
       this.lookAt(crossing.time);
       this.emit(crossing.time);
       return this.stop(crossing.event.id, crossing.event.message(crossing.time), crossing.time);
     }
+    this.addWork(stepper.t);
     this.emitBefore(stepper.t);
     if (stepper.t >= scenario.duration) {
       this.sampleQ.set(q);
@@ -295,12 +336,89 @@ export class Simulation {
         : '';
       return this.stop('end', `ran to t = ${scenario.duration} s${doubt}`);
     }
+    if (plan) this.pass(plan);
     // Last, because the dense output of the step is in the old meaning of y.
     if (formulation.rebase(q, v)) {
       this.dynamics.forget();
       this.restart();
     }
     while (this.isDue(stepper.t)) this.push(this.coming.pop()!.push);
+  }
+
+  /** A step ended: where inputs switch or a limit is reached there, the next one begins with what they are from now on. */
+  private pass(plan: InputPlan): void {
+    const { stepper, turning, endQ, endV } = this;
+    const { t } = stepper;
+    let jumps = false;
+    if (t >= plan.end) jumps = plan.arrive(t);
+    if (turning && t >= turning.time) {
+      turning.saturation.turn(t, endQ, endV);
+      this.turning = null;
+      jumps = true;
+    }
+    for (const saturation of plan.saturations) {
+      if (saturation.side === saturation.side) continue;
+      saturation.decide(t, endQ, endV);
+      jumps = true;
+    }
+    if (!jumps) return;
+    this.dynamics.forget();
+    stepper.restart();
+  }
+
+  /**
+   * Whether a controller reached or left its limit within the last step, which is then taken back: the next ones end
+   * there (the step itself was computed with the old side, so that it and its dense output are smooth).
+   */
+  private turnsWithin(plan: InputPlan): boolean {
+    const { stepper, before } = this;
+    const { t, previousT } = stepper;
+    let first: { saturation: Saturation; time: number } | null = null;
+    for (const saturation of plan.saturations) {
+      const left = (time: number): boolean => {
+        if (time === t) return saturation.left(t, this.endQ, this.endV);
+        this.lookAt(time);
+        return saturation.left(time, this.sampleQ, this.sampleV);
+      };
+      const until: number = first?.time ?? t;
+      for (let look = 1, low = previousT; look <= LIMIT_LOOKS; look++) {
+        const high: number = look === LIMIT_LOOKS ? until : previousT + ((until - previousT) * look) / LIMIT_LOOKS;
+        if (left(high)) {
+          first = { saturation, time: firstTime(left, low, high) };
+          break;
+        }
+        low = high;
+      }
+    }
+    // Where the step was to end for it, it may be a last digit early or late.
+    const due = this.turning && t >= this.turning.time ? this.turning.saturation : null;
+    if (!first || first.saturation === due) {
+      this.turns = 0;
+      return false;
+    }
+    const at = first.time - previousT <= REACHED * (t - previousT) ? previousT : first.time;
+    this.rewind(previousT, before);
+    if (at > previousT) {
+      this.turning = { saturation: first.saturation, time: at };
+      return true;
+    }
+    if (++this.turns > MOST_TURNS) first.saturation.side = NaN;
+    else first.saturation.turn(previousT, this.endQ, this.endV);
+    return true;
+  }
+
+  /** Takes the last step back. */
+  private rewind(t: number, y: Float64Array): void {
+    const { stepper, earlier } = this;
+    Object.assign(earlier, addCounters(earlier, stepper.counters));
+    stepper.reset(t, y);
+    this.formulation.toState(y, this.endQ, this.endV);
+    this.dynamics.forget();
+  }
+
+  private addWork(until: number): void {
+    const { balance, stepper, sampleQ, sampleV } = this;
+    balance.step(stepper.previousT, until, sampleQ, sampleV, (t) => this.lookAt(t));
   }
 
   /** Puts y, the end of a step, on the constraint manifold. */
@@ -392,11 +510,10 @@ export class Simulation {
       for (let r = 0; r < dynamics.m; r++) this.chunk[c++]![row] = this.lambda[r]!;
     }
     (this.charts ?? this.system).energy(q, v, dynamics.parameters, this.energies);
-    this.energy = this.energies[0]! + this.energies[1]!;
-    this.largestKinetic = Math.max(this.largestKinetic, this.energies[0]!);
+    this.balance.row(this.energies[0]!, this.energies[1]!);
     const residual = this.rowProjection.residual(q, v);
     this.largestResidual = Math.max(this.largestResidual, residual);
-    if (extras.has('energy')) this.chunk[c++]![row] = this.energy;
+    if (extras.has('energy')) this.chunk[c++]![row] = this.energies[0]! + this.energies[1]!;
     if (extras.has('residual')) this.chunk[c++]![row] = residual;
     if (extras.has('inputs')) {
       this.actuation.values(time, q, v, this.u);
@@ -441,6 +558,31 @@ export class Simulation {
       return grown;
     });
   }
+}
+
+/** The step of a method that has no other; null for one that chooses its steps. */
+function fixedStepOf({ name, step, maxStep }: Scenario['method']): number | null {
+  if (methods.find((m) => m.id === name)?.adaptive !== false) return null;
+  return Math.min(step ?? DEFAULT_STEP, maxStep ?? Infinity);
+}
+
+/** A warning where a fixed step passes over what an input does. */
+function tooFast(plan: InputPlan | null, step: number): string[] {
+  const found = plan?.unresolved(step);
+  if (!found) return [];
+  return [
+    `${found.name} changes within a step at t = ${found.time.toPrecision(6)} s: a fixed step of ${step} s cannot follow it; ` +
+      `take one of ${found.step.toPrecision(2)} s, or a method that chooses its steps`,
+  ];
+}
+
+/** First time in (low, high] at which a test holds that holds at `high`, to the last digits of t. */
+function firstTime(test: (t: number) => boolean, low: number, high: number): number {
+  for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    if (test(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
 }
 
 function addCounters(a: Counters, b: Counters): Counters {

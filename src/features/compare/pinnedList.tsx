@@ -4,7 +4,7 @@ import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon, Toggle } from '../../ui/kit/controls.tsx';
 import { CURVES } from '../../app/runs/curveStyles.ts';
-import { formatCount, formatScientific, formatShort, THIN } from '../../ui/kit/format.ts';
+import { formatCount, formatDrift, formatShort, THIN } from '../../ui/kit/format.ts';
 
 /** A short line as a curve is drawn. */
 export function Swatch({ style }: { style: (typeof CURVES)[number] | null }) {
@@ -139,7 +139,7 @@ function factsOf({ motion, ending, statistics }: PinnedRun): string {
     source === 'run' && (ending ? (text.status.reasons[ending.reason] ?? ending.reason) : words.computing),
     `${formatShort(trajectory.start, 4) === '0' ? '' : `${formatShort(trajectory.start, 4)} – `}${formatShort(trajectory.end, 4)}${THIN}s`,
     `${formatCount(trajectory.length)} ${words.rows}`,
-    statistics && system.meta.order !== 1 && `${text.status.energy} ${formatScientific(statistics.energyDrift)}`,
+    statistics && system.meta.order !== 1 && `${text.status.energy} ${formatDrift(statistics)}`,
     system.meta.title,
   ];
   return facts.filter(Boolean).join(' · ');

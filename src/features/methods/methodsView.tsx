@@ -9,7 +9,7 @@ import type { MethodOptions } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { CURVES } from '../../app/runs/curveStyles.ts';
-import { formatCount, formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { formatCount, formatDrift, formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';
 import type { Chart } from '../../charts/chart.ts';
 import { columnOf } from '../../core/motion/columns.ts';
@@ -247,7 +247,7 @@ function Row({
         </span>
       </th>
       <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
-      <td>{counts ? formatScientific(counts.energyDrift) : '–'}</td>
+      <td>{counts ? formatDrift(counts) : '–'}</td>
       <td>{counts ? formatScientific(counts.residual, 0) : '–'}</td>
       <td>{counts ? <Pair of={counts.steps} besides={counts.rejected} /> : '–'}</td>
       <td>{counts ? <Pair of={counts.evaluations} besides={counts.jacobians} /> : '–'}</td>

@@ -23,6 +23,16 @@ export function formatScientific(x: number, digits = 1): string {
   return typographic(x.toExponential(digits).replace('e+', 'e'));
 }
 
+export interface EnergyFacts {
+  energyDrift: number | null;
+  energyChange: number;
+}
+
+/** An energy drift beside the largest kinetic energy; at rest, where there is none, the change in joules. */
+export function formatDrift({ energyDrift, energyChange }: EnergyFacts): string {
+  return energyDrift === null ? `${formatScientific(energyChange)}${THIN}J` : formatScientific(energyDrift);
+}
+
 /** As few digits as say it: at most `digits` significant ones. */
 export function formatShort(x: number, digits = 4): string {
   if (!Number.isFinite(x)) return '–';

@@ -3,7 +3,7 @@ import type { Motion } from '../../app/runs/motion.ts';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';
-import { formatCount, formatScientific } from '../kit/format.ts';
+import { formatCount, formatDrift, formatScientific, type EnergyFacts } from '../kit/format.ts';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
@@ -64,13 +64,12 @@ function isDriven(motion: Motion | null): boolean {
 }
 
 /** Energy and constraint residual; dashes where they are not known. */
-function Trust({ numbers, driven }: { numbers: { energyDrift: number; residual: number } | null; driven: boolean }) {
+function Trust({ numbers, driven }: { numbers: (EnergyFacts & { residual: number }) | null; driven: boolean }) {
   const words = text.status;
   return (
     <>
       <span title={driven ? words.energyChangeTitle : words.energyTitle}>
-        {driven ? words.energyChange : words.energy}{' '}
-        <b data-testid="energy">{numbers ? formatScientific(numbers.energyDrift) : '–'}</b>
+        {driven ? words.energyChange : words.energy} <b data-testid="energy">{numbers ? formatDrift(numbers) : '–'}</b>
       </span>
       <span title={words.residualTitle}>
         {words.residual} <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b>

@@ -41,7 +41,17 @@ class Answering {
     this.resolve({
       values: [10 * value],
       end: { reason: 'end', message: '', time: 1 },
-      counts: { steps: 1, rejected: 0, evaluations: 0, jacobians: 0, factorizations: 0, energyDrift: 0, residual: 0 },
+      counts: {
+        steps: 1,
+        rejected: 0,
+        evaluations: 0,
+        jacobians: 0,
+        factorizations: 0,
+        energyDrift: 0,
+        energyChange: 0,
+        work: null,
+        residual: 0,
+      },
       seconds: 0,
     });
   }

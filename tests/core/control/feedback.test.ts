@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { feedbackOf, StateFeedback } from '../../../src/core/control/design/feedback.ts';
 import { actuationOf } from '../../../src/core/simulation/actuation.ts';
+import { Saturation } from '../../../src/core/simulation/saturation.ts';
 import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf, seeded } from '../../helpers.ts';
 
@@ -10,15 +11,15 @@ const gain = [0.5, -1, 2, 0.25];
 
 test('the reference goes along with the steady motion', () => {
   const feedback = new StateFeedback(gain, q0, v0, Infinity);
-  expect(feedback.value(4, Float64Array.of(13, 2), v0)).toBeCloseTo(0, 14);
-  expect(feedback.value(4, Float64Array.of(13.2, 2.1), Float64Array.of(3.1, 0.4))).toBeCloseTo(
+  expect(feedback.asked(4, Float64Array.of(13, 2), v0)).toBeCloseTo(0, 14);
+  expect(feedback.asked(4, Float64Array.of(13.2, 2.1), Float64Array.of(3.1, 0.4))).toBeCloseTo(
     -(0.5 * 0.2 - 0.1 + 2 * 0.1 + 0.25 * 0.4),
     13,
   );
 });
 
 test('at its limit it neither asks for more nor reacts', () => {
-  const feedback = new StateFeedback(gain, q0, v0, 0.3);
+  const feedback = new Saturation(new StateFeedback(gain, q0, v0, 0.3));
   const far = Float64Array.of(5, 2);
   expect(feedback.value(0, far, v0)).toBe(-0.3);
   const [Q, V] = [new Float64Array(4), new Float64Array(4)];

@@ -50,7 +50,7 @@ describe.each([
           if (['X', 'x', 'Y', 'y', 'theta', 'yaw', 'rear_spin', 'front_spin'].includes(c.name)) dq[i] = dv[i] = 0;
         });
         const [q, v] = [still.q.map((x, i) => x + dq[i]!), still.v.map((x, i) => x + dv[i]!)];
-        expect(loop.value(0, q, v)).toBeCloseTo(fixed.get(name)!.value(0, q, v), 9);
+        expect(loop.asked(0, q, v)).toBeCloseTo(fixed.get(name)!.asked(0, q, v), 9);
       }
     }
   });
@@ -70,9 +70,9 @@ describe.each([
           for (let i = 0; i < n; i++) {
             const kept = x[i]!;
             x[i] = kept + 1e-6;
-            const up = loop.value(0, q, v);
+            const up = loop.asked(0, q, v);
             x[i] = kept - 1e-6;
-            const down = loop.value(0, q, v);
+            const down = loop.asked(0, q, v);
             x[i] = kept;
             expect(Math.abs((up - down) / 2e-6 - slopes[i]!)).toBeLessThan(1e-6 * scale);
           }

@@ -218,7 +218,7 @@ describe('what is delivered', () => {
     for (const { id, stages } of methods.filter((m) => m.stages >= 3)) {
       const run = runOf({ ...scenario, method: { name: id, stages, rtol: 1e-6, atol: 1e-8 } });
       expect(run.end.reason).toBe('end');
-      expect(Math.abs(run.counts.energyDrift), `${id} ${stages}`).toBeLessThan(1e-3);
+      expect(Math.abs(run.counts.energyDrift!), `${id} ${stages}`).toBeLessThan(1e-3);
       expect(run.counts.residual).toBeLessThan(1e-12);
     }
   });

@@ -11,7 +11,7 @@ test('a recorded run is judged as the run itself was; a moved row shows, missing
   const judge = (columns: Map<string, Float64Array>) =>
     judgeMotion(ripstik, parameters, 'rolling', (name) => columns.get(name));
   const fair = judge(run.columns)!;
-  expect(fair.energyDrift).toBeCloseTo(run.counts.energyDrift, 12);
+  expect(fair.energyDrift).toBeCloseTo(run.counts.energyDrift!, 12);
   expect(fair.residual).toBeLessThan(1e-12);
 
   const moved = new Map([...run.columns].map(([name, values]) => [name, values.slice()]));

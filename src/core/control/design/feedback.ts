@@ -6,14 +6,14 @@ import type { System } from '../../model/system.ts';
 
 /**
  * State feedback `u = -K (x - x_ref(t))`, x_ref(t) = (q0 + v0 t, v0): what one input of the controller asks.
- * Saturation at `limit`; nothing is allocated.
+ * Nothing is allocated.
  */
 export class StateFeedback implements Feedback {
   private readonly gainQ: Float64Array;
   private readonly gainV: Float64Array;
   private readonly q0: Float64Array;
   private readonly v0: Float64Array;
-  private readonly limit: number;
+  readonly limit: number;
 
   /** @param gain the input's row of K, 2n */
   constructor(gain: ArrayLike<number>, q0: Float64Array, v0: Float64Array, limit: number) {
@@ -25,7 +25,7 @@ export class StateFeedback implements Feedback {
     this.limit = limit;
   }
 
-  /** What the gain asks, before saturation. */
+  /** What the gain asks, before any limit. */
   asked(t: number, q: Float64Array, v: Float64Array): number {
     const { gainQ, gainV, q0, v0 } = this;
     let u = 0;
@@ -35,21 +35,16 @@ export class StateFeedback implements Feedback {
     return u;
   }
 
-  value(t: number, q: Float64Array, v: Float64Array): number {
-    return Math.max(-this.limit, Math.min(this.limit, this.asked(t, q, v)));
-  }
-
-  /** Adds du/dq and du/dv times `weight` onto a row of each; at its limit the controller no longer reacts. */
+  /** Adds du/dq and du/dv times `weight` onto a row of each. */
   addSlopes(
-    t: number,
-    q: Float64Array,
-    v: Float64Array,
+    _t: number,
+    _q: Float64Array,
+    _v: Float64Array,
     weight: number,
     row: number,
     forceQ: Float64Array,
     forceV: Float64Array,
   ): void {
-    if (!(Math.abs(this.asked(t, q, v)) < this.limit)) return;
     const { gainQ, gainV } = this;
     for (let i = 0; i < gainQ.length; i++) {
       forceQ[row + i]! -= weight * gainQ[i]!;

@@ -28,7 +28,7 @@ export class ScheduledFeedback implements Feedback {
   private readonly q0: Float64Array;
   /** Velocities of the steady motion per speed: v0 = s times it. */
   private readonly perSpeed: Float64Array;
-  private readonly limit: number;
+  readonly limit: number;
   private readonly K: Float64Array;
   private readonly slope: Float64Array;
 
@@ -43,12 +43,8 @@ export class ScheduledFeedback implements Feedback {
     this.slope = new Float64Array(gains.columns);
   }
 
-  value(_t: number, q: Float64Array, v: Float64Array): number {
-    return Math.max(-this.limit, Math.min(this.limit, this.asked(q, v)));
-  }
-
-  /** What the gain asks, before saturation; `K` is that of the state. */
-  private asked(q: Float64Array, v: Float64Array): number {
+  /** What the gain asks, before any limit; `K` is then that of the state. */
+  asked(_t: number, q: Float64Array, v: Float64Array): number {
     const { K, q0, perSpeed } = this;
     const n = q0.length;
     const s = this.speed(q, v);
@@ -73,7 +69,6 @@ export class ScheduledFeedback implements Feedback {
     forceQ: Float64Array,
     forceV: Float64Array,
   ): void {
-    if (!(Math.abs(this.asked(q, v)) < this.limit)) return;
     const {
       K,
       slope,
@@ -83,6 +78,7 @@ export class ScheduledFeedback implements Feedback {
     } = this;
     const n = q0.length;
     const s = this.speed(q, v);
+    this.gains.at(s, K);
     this.gains.slopeAt(s, slope);
     let bySpeed = 0;
     for (let i = 0; i < n; i++) {

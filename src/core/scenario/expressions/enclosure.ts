@@ -3,6 +3,7 @@ import { add, bound, divide, multiply } from './intervals.ts';
 import {
   angle,
   constant,
+  copy,
   difference,
   hypotenuse,
   negated,
@@ -10,7 +11,11 @@ import {
   power,
   powerOf,
   quotient,
+  quotientBy,
+  relativeExp,
+  relativeTo,
   scaled,
+  share,
   sum,
   times,
   unarySeries,
@@ -29,7 +34,6 @@ const binarySeries: Readonly<Record<string, (u: Series, v: Series, out: Series) 
   '+': sum,
   '-': difference,
   '*': times,
-  '/': quotient,
   hypot: hypotenuse,
   atan2: angle,
 };
@@ -88,6 +92,7 @@ export class Enclosure {
     else if (node.op === '^' || node.op === 'pow') this.raised(u, v);
     else if (node.op === '*' && node.args[0]!.constant) scaled(v, u.lo[0]!, series);
     else if (node.op === '*' && node.args[0] === node.args[1]) power(u, 2, series);
+    else if (node.op === '/') quotientBy(u, v, parts[1]!.relative(), series);
     else binarySeries[node.op]!(u, v, series);
     return series;
   }
@@ -96,6 +101,21 @@ export class Enclosure {
   decisionAt(t: number): number {
     const [a, b] = this.parts;
     return decide(this.node.op)!(a!.points.value(t), b ? b.points.value(t) : 0);
+  }
+
+  /** After `over`: the coefficients beside the first one, narrow also where sums of exponentials are large. */
+  private relative(): Series {
+    const { node, parts, series, work, gap } = this;
+    const [a, b] = parts;
+    if (node.op === 'exp' && !node.constant) relativeExp(a!.series, work);
+    else if (node.op === '*' && !node.constant) times(a!.relative(), b!.relative(), work);
+    else if (node.op === '+' && !node.constant && a!.series.lo[0]! > 0 && b!.series.lo[0]! > 0) {
+      share(a!.series, a!.relative(), b!.series, gap);
+      share(b!.series, b!.relative(), a!.series, work);
+      sum(gap, work, work);
+      work.lo[0] = work.hi[0] = 1;
+    } else relativeTo(series, work);
+    return work;
   }
 
   private raised(u: Series, v: Series): void {
@@ -121,8 +141,7 @@ export class Enclosure {
   private chosen(d: number, look: Look): Series {
     const part = this.parts[d ? 1 : 2]!;
     const { lo, hi } = part.over(look);
-    this.series.lo.set(lo);
-    this.series.hi.set(hi);
+    copy({ lo, hi }, this.series);
     this.smooth = part.smooth;
     return this.series;
   }
@@ -134,7 +153,7 @@ export class Enclosure {
     const levels = op === 'floor' || op === 'ceil' || op === 'round' || op === 'mod';
     const one = levels || op === 'sign' || op === 'abs' || op === '?';
     if (op === 'mod') quotient(u, v, gap);
-    else if (one) (gap.lo.set(u.lo), gap.hi.set(u.hi));
+    else if (one) copy(u, gap);
     else difference(u, v, gap);
     const { a, b } = look;
     const middle = a + (b - a) / 2;
@@ -179,8 +198,7 @@ export class Enclosure {
     const { series, work, node } = this;
     if (node.op === 'abs') scaled(u, d, series);
     else if (node.op === 'min' || node.op === 'max') {
-      series.lo.set((d ? v : u).lo);
-      series.hi.set((d ? v : u).hi);
+      copy(d ? v : u, series);
     } else if (node.op === 'mod') {
       scaled(v, d, work);
       difference(u, work, series);

@@ -13,6 +13,7 @@ import { switchesOf, type Node } from './tree.ts';
  * A step is short enough (`bound`) where the formula is quiet, which is a parabola up to a small part of its largest
  * size, or where it changes no faster over the step than the step's own stages can see: h^2 |u'''| <= REACH (|u'| + h |u''|),
  * all three bounded over twice the step. For sin(wt) that is w h < 2.7, for the flank of a pulse about its e-fold time.
+ * Where intervals tell nothing (beyond the range of doubles, say) steps grow from the shortest as if nothing happened there.
  * The size of the step is then the error estimate's to choose: it sees what there is.
  */
 
@@ -28,6 +29,8 @@ const MOST_LOOKS = 4000;
 export const SHORTEST = 1e-9;
 /** Enclosures to find a formula's largest size. */
 const SIZE_LOOKS = 400;
+/** So many shortest steps in a row without any bound on the formula: then steps grow again, blindly. */
+const MOST_BLIND = 20;
 /** Growth of the window from one bound to the next. */
 const WIDER = 8;
 
@@ -70,6 +73,9 @@ export class Schedule {
   private step = Infinity;
   private since = 0;
   private through = -Infinity;
+  /** Whether the last look found any bound, and how many windows in a row had none down to the shortest. */
+  private known = true;
+  private blind = 0;
 
   constructor(expression: CompiledExpression, options: ScheduleOptions) {
     this.expression = expression;
@@ -121,7 +127,9 @@ export class Schedule {
     const wanted = this.step < Infinity ? this.step * WIDER : rest;
     let h = Math.min(rest, wanted);
     while (h > shortest && !this.sees(t, h, end)) h /= 2;
+    this.blind = h > shortest || this.known ? 0 : this.blind + 1;
     h = Math.max(h, shortest);
+    if (this.blind > MOST_BLIND) h = Math.min(rest, shortest * 2 ** (this.blind - MOST_BLIND));
     this.since = t;
     this.through = t + h;
     this.step = h >= rest ? Infinity : h;
@@ -139,6 +147,7 @@ export class Schedule {
       // Derivatives from coefficients: of u, or of its rate.
       const [first, second, third] =
         derivative === 0 ? [size(1), 2 * size(2), 6 * size(3)] : [2 * size(2), 6 * size(3), 24 * size(4)];
+      this.known = third < Infinity;
       if (third * h * h * h <= 6 * nothing) return true;
       return third < Infinity && h * h * third <= REACH * (first + h * second);
     });

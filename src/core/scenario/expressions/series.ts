@@ -10,6 +10,11 @@ export interface Series {
   hi: Float64Array;
 }
 
+export function copy(from: Series, to: Series): void {
+  to.lo.set(from.lo);
+  to.hi.set(from.hi);
+}
+
 export const newSeries = (order: number): Series => ({
   lo: new Float64Array(order + 1),
   hi: new Float64Array(order + 1),
@@ -78,13 +83,45 @@ export const squared: Unary = (u, out) => {
 };
 
 export const quotient: Binary = (u, v, out) => {
+  const relative = scratch(out);
+  relativeTo(v, relative);
+  quotientBy(u, v, relative, out);
+};
+
+/** u / v from the coefficients of v beside its first one. */
+export function quotientBy(u: Series, v: Series, relative: Series, out: Series): void {
   for (let k = 0; k < out.lo.length; k++) {
-    from(u.lo[k]!, u.hi[k]!);
-    for (let j = 1; j <= k; j++) onto(v, j, out, k - j, -1);
-    divide(lo, hi, v.lo[0]!, v.hi[0]!);
+    divide(u.lo[k]!, u.hi[k]!, v.lo[0]!, v.hi[0]!);
+    from(bound.lo, bound.hi);
+    for (let j = 1; j <= k; j++) onto(relative, j, out, k - j, -1);
+    putSum(out, k);
+  }
+}
+
+/** Coefficients beside the first one, which is then 1. */
+export const relativeTo: Unary = (u, out) => {
+  for (let k = 1; k < out.lo.length; k++) {
+    divide(u.lo[k]!, u.hi[k]!, u.lo[0]!, u.hi[0]!);
     put(out, k);
   }
+  out.lo[0] = out.hi[0] = 1;
 };
+
+/** exp(u) beside its first coefficient: as narrow as u, however large exp(u) is. */
+export const relativeExp: Unary = (u, out) => {
+  out.lo[0] = out.hi[0] = 1;
+  for (let k = 1; k < out.lo.length; k++) integrate(u, out, out, k);
+};
+
+/** The coefficients of u > 0 beside those of u + v, v > 0: a share of them between 0 and 1. */
+export function share(u: Series, relative: Series, v: Series, out: Series): void {
+  const least = u.lo[0]! / (u.lo[0]! + v.hi[0]!);
+  const most = u.hi[0]! < Infinity ? u.hi[0]! / (u.hi[0]! + v.lo[0]!) : 1;
+  for (let k = 0; k < out.lo.length; k++) {
+    multiply(relative.lo[k]!, relative.hi[k]!, least >= 0 ? least * (1 - 1e-15) : 0, Math.min(1, most * (1 + 1e-15)));
+    put(out, k);
+  }
+}
 
 /** Coefficients from k = 1 on of f with f' = g u' (g in `slope`, whose coefficients may be made on the way). */
 function integrate(u: Series, slope: Series, out: Series, k: number, sign = 1): void {
@@ -260,13 +297,11 @@ export function power(u: Series, p: number, out: Series): void {
   squared(u, w);
   for (let i = 0; i < Math.floor(p / 2); i++) {
     times(out, w, product);
-    out.lo.set(product.lo);
-    out.hi.set(product.hi);
+    copy(product, out);
   }
   if (p % 2 === 0) return;
   times(out, u, w);
-  out.lo.set(w.lo);
-  out.hi.set(w.hi);
+  copy(w, out);
 }
 
 const cbrt: Unary = (u, out) => {

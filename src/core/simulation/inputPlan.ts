@@ -1,0 +1,94 @@
+import type { CompiledExpression } from '../scenario/expressions.ts';
+import { Schedule, type ScheduleOptions } from '../scenario/expressions/schedule.ts';
+import type { Saturation } from './saturation.ts';
+
+/** A part of a formula's largest size that may go unseen, beside the relative tolerance; rounding sets the least. */
+const UNSEEN = 0.01;
+const LEAST_UNSEEN = 1e-14;
+const MOST_UNSEEN = 1e-9;
+
+/** After the first place that a fixed step passes over, so many windows are looked at for the shortest step. */
+const MOST_WINDOWS = 200;
+
+/** How much of an input may go unseen in a run of a relative tolerance. */
+export const unseenAt = (rtol: number): number => Math.min(MOST_UNSEEN, Math.max(LEAST_UNSEEN, UNSEEN * rtol));
+
+/** Where and when a run's inputs are formulas, and how closely they are looked at. */
+export interface PlanOptions {
+  from: number;
+  until: number;
+  /** What part of its largest size an input may change by unseen. */
+  quiet: number;
+}
+
+/**
+ * What a run knows of its inputs before it takes a step: the time of their next switch (`end`) and how long a step may be
+ * (`bound`), from the formulas of open-loop inputs and references; and the limits that a controller can reach.
+ */
+export class InputPlan {
+  readonly saturations: Saturation[] = [];
+  private readonly schedules: { schedule: Schedule; name: string }[] = [];
+  private readonly options: Omit<ScheduleOptions, 'withRate'>;
+
+  constructor(options: PlanOptions) {
+    this.options = options;
+  }
+
+  /** @param withRate whether its rate acts too, as that of a reference */
+  add(expression: CompiledExpression, name: string, withRate: boolean): void {
+    if (expression.constant) return;
+    this.schedules.push({ schedule: new Schedule(expression, { ...this.options, withRate }), name });
+  }
+
+  /** Nothing is to be planned for. */
+  get idle(): boolean {
+    return this.schedules.length === 0 && this.saturations.length === 0;
+  }
+
+  /** No step may go beyond it, s. */
+  get end(): number {
+    let end = Infinity;
+    for (const { schedule } of this.schedules) end = Math.min(end, schedule.end);
+    return end;
+  }
+
+  /** Upper bound of a step from t on, s. */
+  bound(t: number): number {
+    let bound = Infinity;
+    for (const { schedule } of this.schedules) bound = Math.min(bound, schedule.bound(t));
+    return bound;
+  }
+
+  /** A step ended at t: from now on what has switched there is on its other side. Whether any input jumps. */
+  arrive(t: number): boolean {
+    let jumps = false;
+    for (const { schedule } of this.schedules) {
+      if (schedule.end > t) continue;
+      schedule.begin(t);
+      jumps ||= schedule.jumps;
+    }
+    return jumps;
+  }
+
+  /**
+   * Where a fixed step passes over what an input does: the input, the first such time and the step that would do after it.
+   * Spends the plan: its stretches are gone through.
+   */
+  unresolved(step: number): { name: string; time: number; step: number } | null {
+    const { from, until } = this.options;
+    let found = null as { name: string; time: number; step: number } | null;
+    for (const { schedule, name } of this.schedules) {
+      let more = MOST_WINDOWS;
+      for (let t = from; t < until && more > 0;) {
+        const bound = schedule.bound(t);
+        const short = bound < step && schedule.end - t > bound;
+        if (short) found = { name, time: found?.time ?? t, step: Math.min(found?.step ?? step, bound) };
+        if (found) more--;
+        t = Math.min(schedule.end, t + Math.min(bound, until - t));
+        if (t >= schedule.end) schedule.begin(t);
+      }
+      if (found) return found;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,208 @@
+import { describe, expect, test } from 'vitest';
+import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
+import { methods } from '../../../src/core/integrators/methods.ts';
+import { Simulation, type Continuation } from '../../../src/core/simulation/simulation.ts';
+import { systems } from '../../../src/core/systems/all.ts';
+import { runOf, scenarioOf, seeded } from '../../helpers.ts';
+
+const adaptive = methods.filter((m) => m.adaptive).map((m) => m.id);
+
+type Raw = Record<string, unknown>;
+
+/** State at the end of a run, or why there is none. */
+function endOf(raw: Raw, from?: Continuation): Continuation {
+  const scenario = scenarioOf({ outputStep: 1000, ...raw });
+  const system = systems[scenario.system]!;
+  const simulation = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system), from });
+  simulation.advance(() => false);
+  if (simulation.end!.reason !== 'end') throw new Error(simulation.end!.message);
+  const { columns, rows } = simulation.takeChunk();
+  const last = columns.map((c) => c[rows - 1]!);
+  const n = system.meta.coordinates.length;
+  return { time: last[0]!, q: last.slice(1, n + 1), v: last.slice(n + 1, 2 * n + 1) };
+}
+
+const distance = (a: Continuation, b: Continuation): number =>
+  Math.max(...[...a.q, ...a.v].map((x, i) => Math.abs(x - [...b.q, ...b.v][i]!)));
+
+describe('inputs that act briefly', () => {
+  const wheel = { version: 1, system: 'rolling-wheel', duration: 20 };
+  test.each(adaptive)(
+    "%s: the report's double Gaussian turns a resting wheel by 24.66 rad, between two and -two",
+    (name) => {
+      const { columns, rows } = runOf({
+        ...wheel,
+        inputs: { tau_phi: '22*exp(-10*(t-8)^2) - 22*exp(-10*(t-12)^2)' },
+        method: { name, rtol: 1e-10 },
+      });
+      // The impulse 22 sqrt(pi/10) on the inertia 1 + 1, for 4 s.
+      const rate = (22 * Math.sqrt(Math.PI / 10)) / 2;
+      expect(columns.get('phi_dot')![1000]!).toBeCloseTo(rate, 6);
+      expect(columns.get('phi')![rows - 1]!).toBeCloseTo(4 * rate, 5);
+      expect(columns.get('phi_dot')![rows - 1]!).toBeCloseTo(0, 6);
+    },
+  );
+
+  test.each(adaptive)('%s: 100 N·m on the roll of a bicycle for 0.1 s', (name) => {
+    const bicycle = {
+      version: 1,
+      system: 'bicycle',
+      initial: { speed: 5 },
+      method: { name, rtol: 1e-10 },
+      duration: 4,
+    };
+    const run = endOf({ ...bicycle, inputs: { f_roll: '(t > 3) * (t < 3.1) * 100' } });
+    const before = endOf({ ...bicycle, duration: 3 });
+    const pushed = endOf({ ...bicycle, duration: 3.1, inputs: { f_roll: 100 } }, before);
+    const after = endOf(bicycle, pushed);
+    expect(distance(after, endOf(bicycle))).toBeGreaterThan(0.1);
+    expect(distance(run, after)).toBeLessThan(1e-6);
+  });
+
+  test.each(adaptive)('%s: a board that steers from 5 to 5.5 s', (name) => {
+    const board = { version: 1, system: 'ripstik', initial: { X_dot: 1 }, method: { name }, duration: 5.3 };
+    const run = endOf({ ...board, inputs: { tau_fc: 't>5 ? (t<5.5 ? 0.05 : 0) : 0' } });
+    const steered = endOf({ ...board, inputs: { tau_fc: 0.05 } }, endOf({ ...board, duration: 5 }));
+    expect(Math.abs(steered.q[8]!)).toBeGreaterThan(0.01);
+    expect(distance(run, steered)).toBeLessThan(1e-4);
+  });
+
+  test.each(adaptive)('%s: a disturbance of the balanced wheel-pendulum', (name) => {
+    const pendulum = {
+      version: 1,
+      system: 'wheel-pendulum',
+      control: { type: 'lqr', inputs: ['tau_phi'] },
+      method: { name, rtol: 1e-10 },
+      duration: 6,
+    };
+    const run = endOf({ ...pendulum, inputs: { tau_phi: '300*(abs(t-4) < 0.005)' } });
+    const before = endOf({ ...pendulum, duration: 3.995 });
+    const pushed = endOf({ ...pendulum, duration: 4.005, inputs: { tau_phi: 300 } }, before);
+    const after = endOf(pendulum, pushed);
+    expect(distance(after, endOf(pendulum))).toBeGreaterThan(1e-3);
+    expect(distance(run, after) / distance(after, endOf(pendulum))).toBeLessThan(1e-5);
+  });
+
+  test('a logistic reference goes on where its exponential has left the range of doubles', () => {
+    const reference = { tau_fp: '10 deg/(1+exp(100*(t-1)))', tau_bp: '-10 deg/(1+exp(100*(t-1)))' };
+    const { end, counts } = runOf({
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 1 },
+      control: { type: 'track', kp: 60, kd: 3, reference },
+      duration: 10,
+    });
+    expect(end.reason).toBe('end');
+    expect(counts.evaluations).toBeLessThan(20000);
+  });
+
+  test('a fixed step that passes over an input says so, one that does not keeps quiet', () => {
+    const notes = (step: number, tau: string): readonly string[] =>
+      runOf({ ...wheel, inputs: { tau_phi: tau }, method: { name: 'rk4', step } }).simulation.notes;
+    expect(notes(0.1, 'exp(-((t-8)/0.003)^2)').join()).toMatch(
+      /tau_phi changes within a step at t = 7\.\d+ s: .* take one of 0\.000\d+ s/,
+    );
+    expect(notes(0.1, 'sin(t)')).toEqual([]);
+    expect(notes(0.1, 't > 3.05 ? 1 : 0')).toEqual([]);
+    expect(notes(5e-4, 'exp(-((t-8)/0.003)^2)')).toEqual([]);
+  });
+
+  test('a fixed step ends at a switch', () => {
+    const end = endOf({
+      ...wheel,
+      inputs: { tau_phi: '(t > 3.0101) * (t < 3.0202)' },
+      method: { name: 'euler', step: 0.1 },
+    });
+    expect(end.v[3]).toBeCloseTo(0.0101 / 2, 14);
+  });
+});
+
+/** Where a push is tried: what it is at and how large an impulse it takes, N·s or N·m·s; seconds it can be followed for. */
+const places: { file: Raw; input: string; impulse: number; duration: number }[] = [
+  {
+    file: { system: 'rolling-wheel', initial: { theta_dot: 1, phi_dot: 2 } },
+    input: 'tau_phi',
+    impulse: 0.5,
+    duration: 4,
+  },
+  { file: { system: 'cart-pendulum', initial: { theta: '-90 deg' } }, input: 'f_X', impulse: 0.1, duration: 4 },
+  { file: { system: 'chaplygin-sleigh', initial: { x_dot: 1 } }, input: 'tau_theta', impulse: 0.2, duration: 3 },
+  { file: { system: 'casterboard-robot', initial: { phi_f: 0.1 } }, input: 'tau_f', impulse: 0.001, duration: 3 },
+  { file: { system: 'bicycle', initial: { speed: 5 } }, input: 'f_roll', impulse: 5, duration: 3 },
+  { file: { system: 'wheel-pendulum' }, input: 'tau_phi', impulse: 0.5, duration: 1.2 },
+  { file: { system: 'ripstik', initial: { X_dot: 1 } }, input: 'tau_fc', impulse: 0.0005, duration: 0.4 },
+  { file: { system: 'ripstik', constraints: 'none' }, input: 'f_theta', impulse: 0.05, duration: 2 },
+];
+
+/** A pulse of an area of 1 around `at`: its formula, and pieces [from, to, formula] that are smooth and 0 outside. */
+type Pulse = { formula: string; pieces: [number, number, string][] };
+const shapes: Record<string, (at: number, width: number) => Pulse> = {
+  rectangle(at, width) {
+    const [a, b, size] = [at - width / 2, at + width / 2, 1 / width];
+    return { formula: `(t > ${a} ? (t < ${b} ? ${size} : 0) : 0)`, pieces: [[a, b, `${size}`]] };
+  },
+  gaussian(at, width) {
+    const formula = `${1 / (width * Math.sqrt(Math.PI))}*exp(-((t-${at})/${width})^2)`;
+    return { formula, pieces: [[at - 6.5 * width, at + 6.5 * width, formula]] };
+  },
+  sawtooth(at, width) {
+    const [a, b] = [at - width, at + width];
+    const tooth = (k: number): string => `${1 / width}*(t-${a + (k * width) / 2})/${width / 2}`;
+    return {
+      formula: `(t >= ${a}) * (t < ${b}) * ${1 / width}*mod((t-${a})/${width / 2}, 1)`,
+      pieces: [0, 1, 2, 3].map((k) => [a + (k * width) / 2, a + ((k + 1) * width) / 2, tooth(k)]),
+    };
+  },
+  chirp(at, width) {
+    const [a, b] = [at - width / 2, at + width / 2];
+    const wave = `${3 / width}*sin(${3 / width}*(t-${a}) + ${20 / width ** 2}*(t-${a})^2)`;
+    return { formula: `(abs(t-${at}) < ${width / 2}) * ${wave}`, pieces: [[a, b, wave]] };
+  },
+};
+
+const LONG = Number(process.env['INPUT_RUNS'] ?? 0);
+
+test(
+  `pulses of any width, shape and time, by every method on every system, against runs made piece by piece`,
+  { timeout: 3_600_000 },
+  () => {
+    const seed = LONG ? Date.now() % 2 ** 31 : 20240612;
+    const random = seeded(seed);
+    const uniform = (a: number, b: number): number => a + (b - a) * random();
+    const pick = <T>(list: readonly T[]): T => list[Math.min(list.length - 1, Math.floor(uniform(0, list.length)))]!;
+    for (let trial = 0; trial < (LONG || 32); trial++) {
+      const { file, input, impulse, duration } = places[trial % places.length]!;
+      const name = LONG ? pick(adaptive) : adaptive[Math.floor(trial / 2 + trial / places.length) % adaptive.length]!;
+      const shape = pick(Object.keys(shapes));
+      const width = Math.min(10 ** uniform(-4, 0), duration / 16);
+      const count = uniform(0, 1) < 0.3 ? 3 : 1;
+      const room = 7 * width;
+      const first = uniform(room, duration - room - (count - 1) * 0);
+      const times = [first];
+      for (let k = 1; k < count; k++) {
+        const next = times.at(-1)! + 2 * room * uniform(1, 3);
+        if (next < duration - room) times.push(next);
+      }
+      const pulses = times.map((at) => shapes[shape]!(at, width));
+      const raw = { version: 1, ...file, duration, events: {}, method: { name, rtol: 1e-10, atol: 1e-12 } };
+      const told = `seed ${seed}, trial ${trial}: ${name}, ${file['system'] as string}, ${shape} of ${width} s at ${times.join(', ')} s`;
+      const difference = (list: Pulse[], step: number): [number, Continuation] => {
+        const whole = endOf({ ...raw, inputs: { [input]: list.map((p) => `${impulse}*(${p.formula})`).join(' + ') } });
+        let state: Continuation | undefined;
+        for (const [from, to, formula] of list.flatMap((p) => p.pieces)) {
+          if (from - (state?.time ?? 0) > 1e-12) state = endOf({ ...raw, duration: from }, state);
+          const method = { ...raw.method, maxStep: step };
+          state = endOf({ ...raw, duration: to, method, inputs: { [input]: `${impulse}*(${formula})` } }, state);
+        }
+        return [distance(whole, endOf(raw, state)), whole];
+      };
+      const [off, whole] = difference(pulses, width / 20);
+      const effect = distance(whole, endOf(raw));
+      expect(effect, told).toBeGreaterThan(0);
+      if (off <= 1e-5 * effect) continue;
+      const smooth = shapes['gaussian']!(duration / 2, duration / 14);
+      const [usual] = difference([smooth], duration / 280);
+      expect(off, `${told}: effect ${effect}, a smooth push differs by ${usual}`).toBeLessThan(10 * usual);
+    }
+  },
+);

@@ -1,5 +1,8 @@
 """The shortest way to constrained accelerations, as functions of their own: see `composite` and `elimination`.
 
+A model that says what its bodies hang on (`Direct`) is derived anew in the axes of that frame; any other keeps its equations
+and gains by the elimination alone.
+
 For each set of constraint rows, over y = [q, v], constants c that `prepare` makes from the parameters once, and factors that
 the accelerations leave for what follows at the same state:
 
@@ -31,19 +34,56 @@ class Direct:
     contacts: tuple
 
 
+class InCoordinates:
+    """M, h, Omega and gamma as the model has them, the coordinates in an order in which little fills in.
+
+    The next to be eliminated is always the one that is coupled to fewest (Golub and Van Loan, 4th ed., section 11.1.4).
+    """
+
+    def __init__(self, record, model, constraints, outside):
+        M, h = model.equations.M, model.equations.h
+        self.order = self._sparsest_first({(i, j) for i in range(M.rows) for j in range(M.cols) if record(M[i, j]).number != 0}, M.rows)
+        self.M = [[record(M[i, j]) for j in self.order] for i in self.order]
+        self.h = [record(h[i]) + outside[i] for i in self.order]
+        self.Omega = [[record(constraints.Omega[r, i]) for i in self.order] for r in range(constraints.Omega.rows)]
+        self.gamma = [record(x) for x in constraints.rate(model.q, model.v)]
+        self.slip = [record(x) for x in constraints.Omega * model.v]
+        self.unknowns = self
+
+    @staticmethod
+    def _sparsest_first(coupled, n):
+        left, order = set(range(n)), []
+        while left:
+            near = {i: {j for j in left if j != i and (i, j) in coupled} for i in left}
+            i = min(sorted(left), key=lambda k: len(near[k]))
+            coupled = coupled | {(a, b) for a in near[i] for b in near[i]}
+            order.append(i)
+            left.remove(i)
+        return order
+
+    def accelerations(self, x, free=True):
+        del free
+        return [x[self.order.index(i)] for i in range(len(x))]
+
+
 class Programs:
     """Values of all functions on one tape, and their texts."""
 
     def __init__(self, model):
         direct, n = model.direct, len(model.q)
         self.model, self.n, self.tape = model, n, Tape()
-        self.record = Recorder(self.tape, {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)})
-        self.tree = Tree(self.record, model.q, model.v, direct.bodies, direct.gravity)
+        definitions = () if direct else model.definitions
+        self.record = Recorder(self.tape, {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)}, definitions)
         outside = [self.tape.input("f", i) for i in range(n)]
-        losses = [self.record(x) for x in direct.losses]
+        if direct is None:
+            self.sets = {c.id: Set(self, InCoordinates(self.record, model, c, outside), [self.record(x) for x in c.heights])
+                         for c in model.constraints}
+            return
+        tree = Tree(self.record, model.q, model.v, direct.bodies, direct.gravity)
+        forces = [self.record(x) + f for x, f in zip(direct.losses, outside)]
         self.sets = {}
         for name, rows in direct.rows.items():
-            dynamics = Dynamics(self.tree, [a + b for a, b in zip(losses, outside)], rows)
+            dynamics = Dynamics(tree, forces, rows)
             self.sets[name] = Set(self, dynamics, [dynamics.height(point) for point in direct.contacts])
 
     def fixed(self) -> list:

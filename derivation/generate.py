@@ -16,7 +16,7 @@ def modules(model: Model, source: str) -> dict:
     source = source.replace("-", "_")
     head = lambda what: HEADER.format(what=what, title=model.title, source=source)
     direct, namespace = {}, []
-    if model.direct is not None:
+    if model.constraints:
         direct = {"accelerations.generated.ts": Programs(model).text(source)}
         namespace = ["export * as direct from './accelerations.generated.ts';\n"]
     return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *Equations(model).texts()]), **direct,

@@ -49,10 +49,12 @@ describe('generated functions stay within what V8 optimises', () => {
     const { outputText } = ts.transpileModule(source, {
       compilerOptions: { target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext },
     });
-    const functions = [...outputText.matchAll(/^(?:export )?function (\w+)\(/gm)].map((match) => match[1]!);
+    // What a module passes on is looked at in its own file.
+    const own = outputText.replace(/^export \* as \w+ from .*$/gm, '');
+    const functions = [...own.matchAll(/^(?:export )?function (\w+)\(/gm)].map((match) => match[1]!);
     const script = join(folder, basename(name).replace(/\.ts$/, '.mjs'));
     const touch = `\nfor (const f of [${functions.join(', ')}]) try { f(...Array(f.length).fill([])); } catch {}\n`;
-    writeFileSync(script, outputText + touch);
+    writeFileSync(script, own + touch);
     const node = spawnSync(process.execPath, ['--print-bytecode', script], {
       encoding: 'utf8',
       maxBuffer: 1 << 28,

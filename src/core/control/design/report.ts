@@ -97,7 +97,13 @@ function plantReport(
     basis: basis.to2DArray(),
     eigenvalues: spectra.plain,
     uncontrollable: modes,
-    point: { q: [...motion.q], v: [...motion.v], multipliers: [...motion.lambda], moving: motion.moving },
+    // x + 0 makes -0 a 0, which is what a JSON file keeps of it.
+    point: {
+      q: [...motion.q],
+      v: [...motion.v],
+      multipliers: Array.from(motion.lambda, (x) => x + 0),
+      moving: motion.moving,
+    },
     reachability: {
       dimension: split.reachable.columns,
       stages: split.stages,

@@ -2,6 +2,8 @@
 // Expressions of the casterboard robot: see derivation/casterboard_robot.py. Row-major outputs, SI units, radians.
 /* eslint-disable */
 
+export * as direct from './accelerations.generated.ts';
+
 /** What several functions need, from one to the next. */
 const kept = new Float64Array(97);
 

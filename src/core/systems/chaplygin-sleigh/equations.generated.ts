@@ -2,6 +2,8 @@
 // Expressions of the Chaplygin sleigh: see derivation/chaplygin_sleigh.py. Row-major outputs, SI units, radians.
 /* eslint-disable */
 
+export * as direct from './accelerations.generated.ts';
+
 /** Mass matrix (3 x 3) and h (3) of M a = h. */
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,

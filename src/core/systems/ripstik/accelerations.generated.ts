@@ -116,6 +116,9 @@ export function rollingAccelerations(
   const alpha_bp_dot = y[17]!;
   const theta_fc_dot = y[18]!;
   const theta_bc_dot = y[19]!;
+  const f0 = f[0]!;
+  const f1 = f[1]!;
+  const f2 = f[2]!;
   const x22 = Math.cos(theta);
   const x23 = Math.sin(theta);
   const x24 = Math.cos(psi);
@@ -136,9 +139,6 @@ export function rollingAccelerations(
   const x39 = Math.sin(x37);
   const x40 = x5 * x39;
   const x41 = x5 * x38;
-  const f0 = f[0]!;
-  const f1 = f[1]!;
-  const f2 = f[2]!;
   const x42 = c[4]! * (alpha_fp_dot - alpha_bp_dot);
   const x43 = c[3]! * (alpha_fp - alpha_bp);
   const x44 = f[6]! - (x43 + (alpha_fp_dot * x3 + x42));
@@ -317,7 +317,7 @@ export function rollingAccelerations(
   const x217 = x195 - x212;
   const x218 = x15 + (x57 + x82 * (x10 * x82) + (x191 + x192)) + (x15 + (x70 + x136 * (x10 * x136) + (x208 + x209)));
   const x219 = f[3]! - x44 - x45;
-  const x220 = x22 * f0 + x23 * f1;
+  const x220 = f0 * x22 + f1 * x23;
   const x221 = psi_dot * x63 - x27 * x62 - x60 + (x96 + (x109 * x129 + x110 * x128));
   const x222 = psi_dot * x75 - x27 * x74 - x60 + (x148 + (x161 * x179 + x162 * x178));
   const x223 = x27 * x50 + (x52 * x58 - x53 * x56 + (x27 * x61 - x51 * x63) + (x97 - (x110 * x127 + x115 * x129)));
@@ -479,9 +479,9 @@ export function rollingAccelerations(
   const x379 = 1 / x378;
   const x380 = x44 - x221 - x227 * x235;
   const x381 = x45 - x222 - x228 * x256;
-  const x382 = x24 * x220 - x25 * f2 - (x127 + x177 - x25 * x18) - x227 * x236 + x250 * x380 - x228 * x257 + x269 * x381;
-  const x383 = x22 * f1 - x23 * f0 - (x128 + x178) + x227 * x237 - x251 * x380 + x228 * x258 - x270 * x381 - x280 * x382;
-  const x384 = x25 * x220 + x24 * f2 - (x129 + x179 + x24 * x18) + x227 * x238 - x252 * x380 + x228 * x259 - x271 * x381;
+  const x382 = x24 * x220 - f2 * x25 - (x127 + x177 - x25 * x18) - x227 * x236 + x250 * x380 - x228 * x257 + x269 * x381;
+  const x383 = f1 * x22 - f0 * x23 - (x128 + x178) + x227 * x237 - x251 * x380 + x228 * x258 - x270 * x381 - x280 * x382;
+  const x384 = x25 * x220 + f2 * x24 - (x129 + x179 + x24 * x18) + x227 * x238 - x252 * x380 + x228 * x259 - x271 * x381;
   const x385 = x384 - x281 * x382 + x289 * x383;
   const x386 = f[5]! + x25 * x219 - (x24 * (x225 - x16 * (x29 + x29)) - x25 * (x221 + x222)) - x227 * x239 - x253 * x380;
   const x387 = x386 - x228 * x260 + x272 * x381 - x282 * x382 - x290 * x383 - x296 * x385;
@@ -792,6 +792,9 @@ export function reportAccelerations(
   const alpha_bp_dot = y[17]!;
   const theta_fc_dot = y[18]!;
   const theta_bc_dot = y[19]!;
+  const f0 = f[0]!;
+  const f1 = f[1]!;
+  const f2 = f[2]!;
   const x20 = Math.cos(theta);
   const x21 = Math.sin(theta);
   const x22 = Math.cos(psi);
@@ -814,9 +817,6 @@ export function reportAccelerations(
   const x39 = Math.sin(x37);
   const x40 = x5 * x39;
   const x41 = x5 * x38;
-  const f0 = f[0]!;
-  const f1 = f[1]!;
-  const f2 = f[2]!;
   const x42 = c[4]! * (alpha_fp_dot - alpha_bp_dot);
   const x43 = c[3]! * (alpha_fp - alpha_bp);
   const x44 = f[6]! - (x43 + (alpha_fp_dot * x3 + x42));
@@ -979,7 +979,7 @@ export function reportAccelerations(
   const x201 = x179 - x196;
   const x202 = x15 + (x53 + x78 * (x10 * x78) + (x175 + x176)) + (x15 + (x66 + x126 * (x10 * x126) + (x192 + x193)));
   const x203 = f[3]! - x44 - x45;
-  const x204 = x20 * f0 + x21 * f1;
+  const x204 = f0 * x20 + f1 * x21;
   const x205 = psi_dot * x59 - x27 * x58 - x56 + (x89 + (x102 * x119 + x103 * x118));
   const x206 = psi_dot * x71 - x27 * x70 - x56 + (x135 + (x148 * x163 + x149 * x162));
   const x207 = x27 * x46 + (x48 * x54 - x49 * x52 + (x27 * x57 - x47 * x59) + (x90 - (x103 * x117 + x108 * x119)));
@@ -1089,9 +1089,9 @@ export function reportAccelerations(
   const x311 = x214 * x303 + x290 * x304 + x291 * x305 + x292 * x306 + x293 * x307 + x294 * x308 + x295 * x309;
   const x312 = x44 - x205 - x211 * x215;
   const x313 = x45 - x206 - x212 * x236;
-  const x314 = x22 * x204 - x23 * f2 - (x117 + x161 - x23 * x18) - x211 * x216 + x230 * x312 - x212 * x237 + x249 * x313;
-  const x315 = x20 * f1 - x21 * f0 - (x118 + x162) + x211 * x217 - x231 * x312 + x212 * x238 - x250 * x313 - x260 * x314;
-  const x316 = x23 * x204 + x22 * f2 - (x119 + x163 + x22 * x18) + x211 * x218 - x232 * x312 + x212 * x239 - x251 * x313;
+  const x314 = x22 * x204 - f2 * x23 - (x117 + x161 - x23 * x18) - x211 * x216 + x230 * x312 - x212 * x237 + x249 * x313;
+  const x315 = f1 * x20 - f0 * x21 - (x118 + x162) + x211 * x217 - x231 * x312 + x212 * x238 - x250 * x313 - x260 * x314;
+  const x316 = x23 * x204 + f2 * x22 - (x119 + x163 + x22 * x18) + x211 * x218 - x232 * x312 + x212 * x239 - x251 * x313;
   const x317 = x316 - x261 * x314 + x269 * x315;
   const x318 = f[5]! + x23 * x203 - (x22 * (x209 - x16 * (x29 + x29)) - x23 * (x205 + x206)) - x211 * x219 - x233 * x312;
   const x319 = x318 - x212 * x240 + x252 * x313 - x262 * x314 - x270 * x315 - x276 * x317;

@@ -2,6 +2,8 @@
 // Expressions of the rolling wheel: see derivation/rolling_wheel.py. Row-major outputs, SI units, radians.
 /* eslint-disable */
 
+export * as direct from './accelerations.generated.ts';
+
 /** Mass matrix (4 x 4) and h (4) of M a = h. */
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,

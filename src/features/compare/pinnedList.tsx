@@ -55,7 +55,7 @@ export function PinnedList() {
       </div>
       {state.pinned.value.length > 0 && (
         <>
-          <ul class="kept-list" data-testid="kept-list">
+          <ul class="pinned-list" data-testid="kept-list">
             {state.pinned.value.map((run) => (
               <Row key={run.id} run={run} />
             ))}
@@ -83,7 +83,7 @@ function Row({ run }: { run: PinnedRun }) {
   return (
     <li data-testid={`kept-${id}`}>
       <Swatch style={CURVES[run.style % CURVES.length]!} />
-      <div class="kept-words">
+      <div class="pinned-words">
         <input
           type="text"
           value={name}
@@ -95,7 +95,7 @@ function Row({ run }: { run: PinnedRun }) {
             event.currentTarget.value = state.pinned.peek().find((r) => r.id === id)?.name ?? name;
           }}
         />
-        <span class="kept-facts">
+        <span class="pinned-facts">
           {factsOf(run)}
           {onStage && ` · ${words.present}`}
         </span>
@@ -127,7 +127,7 @@ function Row({ run }: { run: PinnedRun }) {
       >
         <Icon name="close" />
       </button>
-      {ghost && !sameSystem && <p class="kept-note">{words.otherSystem}</p>}
+      {ghost && !sameSystem && <p class="pinned-note">{words.otherSystem}</p>}
     </li>
   );
 }

@@ -21,6 +21,8 @@ export function Gallery({ onClose }: { onClose(): void }) {
     onClose();
     replaceDraft(ui, () => app.actions.loadCase(id));
   };
+  const sections = sectionsOf(found.value);
+  const firstOfReport = sections.find(({ id }) => id.startsWith('3.'))?.id;
   return (
     <div
       class="gallery"
@@ -47,9 +49,10 @@ export function Gallery({ onClose }: { onClose(): void }) {
         <span class="hint gallery-keys">{text.keys}</span>
       </div>
       <div ref={grid}>
-        {sectionsOf(found.value).map(({ id, cases }) => (
+        {sections.map(({ id, cases }) => (
           <section key={id} aria-label={text.sections[id]} data-testid={`gallery-${id}`}>
             <h3>{text.sections[id]}</h3>
+            {id === firstOfReport && <p class="hint">{text.report}</p>}
             <div class="cards">
               {cases.map((c) => (
                 <Card

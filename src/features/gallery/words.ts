@@ -10,6 +10,8 @@ export const text = {
   lqr: 'LQR',
   track: 'tracked',
   section: (chapter: string) => `section ${chapter}`,
+  /** Where the report is named first. */
+  report: 'The report: “A-1: Modelling and Control of a Ripstik”, final report of the course MTHE 493, 2017.',
   sections: {
     board: 'The board, ridden and let go',
     '3.2': 'Report 3.2: coordinate systems',

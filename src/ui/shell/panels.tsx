@@ -46,10 +46,10 @@ export function LeftPanel() {
 }
 
 /** Those that are shown, and those that keep what they were doing. */
-function useVisited(tools: Ui['tools'], open: string | null): Ui['tools'] {
-  const visited = useRef(new Set<string>());
-  if (open !== null) visited.current.add(open);
-  return tools.filter(({ id, keep }) => id === open || (keep && visited.current.has(id)));
+function useOpened(tools: Ui['tools'], open: string | null): Ui['tools'] {
+  const opened = useRef(new Set<string>());
+  if (open !== null) opened.current.add(open);
+  return tools.filter(({ id, keep }) => id === open || (keep && opened.current.has(id)));
 }
 
 export function Tools() {
@@ -65,7 +65,7 @@ export function Tools() {
   };
   return (
     <div class="right">
-      {useVisited(tools, open).map(({ id, title, size, Body }) => (
+      {useOpened(tools, open).map(({ id, title, size, Body }) => (
         <aside
           key={id}
           id={`tool-panel-${id}`}
@@ -118,7 +118,7 @@ export function Sheet() {
   const { state, actions } = app;
   const panel = usePanel();
   const current = useSignal(panel?.id ?? tools[0]?.id ?? '');
-  const visited = useVisited(tools, current.value);
+  const opened = useOpened(tools, current.value);
   // what asks for a tool asks for its tab
   useSignalEffect(() => {
     if (state.tool.value !== null) current.value = state.tool.value;
@@ -128,7 +128,7 @@ export function Sheet() {
   });
   const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
     ...(panel ? [{ ...panel, there: true }] : []),
-    ...tools.map((tool) => ({ ...tool, there: visited.includes(tool) })),
+    ...tools.map((tool) => ({ ...tool, there: opened.includes(tool) })),
     ...features.flatMap(({ id, tab }) => (tab ? [{ id, title: tab.title, Body: tab.Body, there: true }] : [])),
   ];
   const show = (id: string) => {

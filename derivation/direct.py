@@ -11,6 +11,7 @@ the accelerations leave for what follows at the same state:
     <set>Slip(q, v, c, slip, heights)                    Omega v and the heights of the contact points
 """
 
+import json
 from dataclasses import dataclass
 
 from .composite import Dynamics, Tree
@@ -88,7 +89,7 @@ class Programs:
 
     def fixed(self) -> list:
         """Indices of the values that depend on the parameters alone and that a function reads, in order."""
-        found, seen, waiting = set(), set(), [v.index for s in self.sets.values() for _, v in s.outputs()]
+        found, seen, waiting = set(), set(), [v.index for s in self.sets.values() for v in s.outputs()]
         while waiting:
             i = waiting.pop()
             if i in seen:
@@ -113,6 +114,24 @@ class Programs:
         for name, s in self.sets.items():
             texts += s.texts(name, writer, of_state, constants)
         return "\n".join(texts)
+
+
+    def program(self) -> str:
+        """The tape itself with what its values are for, so that another writer can walk it: JSON.
+
+        ops: as `Tape.ops`. prepare: the values that c holds. Of each set, the values of every array that its functions write,
+        and the pairs of which the first must be larger; a shift reads what `factors` holds, everything else reads c.
+        """
+        fixed = self.fixed()
+        sets = {name: s.arrays() for name, s in self.sets.items()}
+        wanted = [self.tape.at(i) for i in fixed] + [value for arrays in sets.values() for values in arrays.values() for value in values]
+        order = self.tape.reached(wanted)
+        place = {i: k for k, i in enumerate(order)}
+        ops = [op if op[0] in ("input", "const") else (op[0], *(place[k] for k in op[1:])) for op in (self.tape.ops[i] for i in order)]
+        numbered = {name: {array: [place[v.index] for v in values] for array, values in arrays.items()} for name, arrays in sets.items()}
+        lines = [json.dumps(op, separators=(",", ":")) for op in ops]
+        parts = {"prepare": [place[i] for i in fixed], "sets": numbered}
+        return "{\"ops\":[\n" + ",\n".join(lines) + "\n],\n" + json.dumps(parts, separators=(",", ":"))[1:] + "\n"
 
 
 class Set:
@@ -145,18 +164,20 @@ class Set:
                 wanted |= {k for k in arguments(self.tape.ops[i])}
         return sorted(k for k in wanted - depends if self.tape.ops[k][0] != "const")
 
-    def accelerations(self):
-        n = self.programs.n
-        record, v = self.programs.record, self.programs.model.v
-        kept = [self.tape.at(i) for i in self.kept] + [self.spread]
-        return [*((f"rate[{i}]", record(v[i])) for i in range(n)), *((f"rate[{n + i}]", a) for i, a in enumerate(self.a)),
-                *((f"lambda[{r}]", x) for r, x in enumerate(self.lam)), *((f"factors[{k}]", x) for k, x in enumerate(kept))]
+    def arrays(self):
+        """{array: values that a function writes there}."""
+        v = [self.programs.record(x) for x in self.programs.model.v]
+        return {"rate": [*v, *self.a], "lambda": self.lam, "factors": [*(self.tape.at(i) for i in self.kept), self.spread],
+                "larger": [a for a, _ in self.positive], "smaller": [b for _, b in self.positive],
+                "shift": self.shift, "slip": self.velocity, "heights": self.heights}
 
-    def slips(self):
-        return [(f"slip[{r}]", x) for r, x in enumerate(self.velocity)] + [(f"heights[{r}]", x) for r, x in enumerate(self.heights)]
+    def _written(self, *names):
+        arrays = self.arrays()
+        return [(f"{name}[{k}]", value) for name in names for k, value in enumerate(arrays[name])]
 
     def outputs(self):
-        return [*self.accelerations(), *(("", value) for pair in self.positive for value in pair), *self.slips()]
+        """Values that functions with the constants at hand compute."""
+        return [value for name, values in self.arrays().items() if name != "shift" for value in values]
 
     def operations(self) -> int:
         """Of the accelerations and multipliers, without what is prepared."""
@@ -169,8 +190,8 @@ class Set:
         return [
             f"/** Length of the factors; the last is 1 / det of S scaled to a unit diagonal. */\nexport const {name}FactorCount = {len(self.kept) + 1};\n",
             of_state.function(f"{name}Accelerations", "rate = [v, a], lambda and factors; false where M or S is not positive definite.",
-                            ["y", "c", "f", "rate", "lambda", "factors"], self.accelerations(), loads=constants, returns=self.positive),
+                            ["y", "c", "f", "rate", "lambda", "factors"], self._written("rate", "lambda", "factors"), loads=constants, returns=self.positive),
             writer.function(f"{name}Shift", "Adds to x the smallest change in the mass metric that changes Omega x by g.", ["factors", "g", "x"],
                             shifted, loads=factors, adds=True),
-            writer.function(f"{name}Slip", "Omega v and the heights of the contact points.", ["q", "v", "c", "slip", "heights"], self.slips(), loads=constants),
+            writer.function(f"{name}Slip", "Omega v and the heights of the contact points.", ["q", "v", "c", "slip", "heights"], self._written("slip", "heights"), loads=constants),
         ]

@@ -17,7 +17,8 @@ def modules(model: Model, source: str) -> dict:
     head = lambda what: HEADER.format(what=what, title=model.title, source=source)
     direct, namespace = {}, []
     if model.constraints:
-        direct = {"accelerations.generated.ts": Programs(model).text(source)}
+        programs = Programs(model)
+        direct = {"accelerations.generated.ts": programs.text(source), "accelerations.generated.json": programs.program()}
         namespace = ["export * as direct from './accelerations.generated.ts';\n"]
     return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *Equations(model).texts()]), **direct,
             "poses.generated.ts": "\n".join([head("Poses"), poses(model)]),

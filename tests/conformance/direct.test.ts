@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { maxAbs } from '../../src/core/linalg/dense.ts';
 import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
@@ -10,6 +11,34 @@ const STATES = 256;
 /** Relative to the largest entry; the scaled rows are kept clear of dependence, where any two ways part. */
 const SAME = 1e-12;
 const INDEPENDENT = 1e-3;
+
+type Op = ['input', 'p' | 'q' | 'v' | 'f' | 'g', number] | ['const', number] | [string, number, number?];
+interface Tape {
+  ops: Op[];
+  prepare: number[];
+  sets: Record<string, Record<string, number[]>>;
+}
+
+const readTape = (id: string): Tape =>
+  JSON.parse(readFileSync(`src/core/systems/${id}/accelerations.generated.json`, 'utf8')) as Tape;
+
+/** Every value of a tape, one operation after another. */
+function valuesOf({ ops }: Tape, inputs: Readonly<Record<string, Float64Array>>): number[] {
+  const values: number[] = [];
+  const one = Math as unknown as Record<string, (x: number) => number>;
+  for (const [kind, first, second] of ops) {
+    const [a, b] = [values[first as number]!, values[second as number]!];
+    if (kind === 'input') values.push(inputs[first]![second as number]!);
+    else if (kind === 'const') values.push(first as number);
+    else if (kind === 'add') values.push(a + b);
+    else if (kind === 'sub') values.push(a - b);
+    else if (kind === 'mul') values.push(a * b);
+    else if (kind === 'div') values.push(a / b);
+    else if (kind === 'neg') values.push(-a);
+    else values.push(one[kind]!(a));
+  }
+  return values;
+}
 
 const sets = Object.values(systems).flatMap((system) =>
   Object.values(system.constraintSets)
@@ -85,6 +114,39 @@ describe.each(sets)('the short way and the general one: $name', ({ system, set }
       expect(short.rate(1, y, a.rate), at).toBe(true);
       expect(a.rate, at).toEqual(Float64Array.from([...v, ...a.a]));
       expect(general.rate(1, y, b.rate), at).toBe(false);
+    }
+  });
+
+  test("its tape gives the same bits as its TypeScript: the order of every sum is the tape's", () => {
+    const tape = readTape(meta.id);
+    const program = tape.sets[set]!;
+    const direct = system.constraintSets[set]!.direct!;
+    const random = seeded(SEED);
+    for (let k = 0; k < 16; k++) {
+      const [p, c] = [drawn(random, 1), new Float64Array(direct.constantCount)];
+      direct.prepare(p, c);
+      const vector = (length: number) => Float64Array.from({ length }, () => 2 * random() - 1);
+      const [q, v, f, g] = [vector(n), vector(n), vector(n), vector(program['lambda']!.length)];
+      const arrays = {
+        rate: new Float64Array(2 * n),
+        lambda: new Float64Array(g.length),
+        factors: new Float64Array(direct.factorCount),
+        slip: new Float64Array(g.length),
+        heights: new Float64Array(program['heights']!.length),
+        shift: new Float64Array(n),
+      };
+      const { rate, lambda, factors, slip, heights, shift } = arrays;
+      const done = direct.accelerations(Float64Array.from([...q, ...v]), c, f, rate, lambda, factors);
+      direct.slip(q, v, c, slip, heights);
+      direct.shift(factors, g, shift);
+      const values = valuesOf(tape, { p, q, v, f, g });
+      expect(c).toEqual(Float64Array.from(tape.prepare, (i) => values[i]!));
+      for (const [name, array] of Object.entries(arrays))
+        expect(
+          array.map((x) => x + 0),
+          name,
+        ).toEqual(Float64Array.from(program[name]!, (i) => values[i]! + 0));
+      expect(done).toBe(program['larger']!.every((i, r) => values[i]! > values[program['smaller']![r]!]!));
     }
   });
 

@@ -37,7 +37,6 @@ const CORE: Table = {
 /** Packages that one folder alone imports. */
 const ONLY: Readonly<Record<string, string>> = {
   three: 'scene',
-  uplot: 'charts',
   katex: 'features',
   mediabunny: 'features',
 };

@@ -7,6 +7,8 @@ const UNSEEN = 0.01;
 const LEAST_UNSEEN = 1e-14;
 const MOST_UNSEEN = 1e-9;
 
+/** A fixed step has no error estimate to shorten it: so many have to fit into the bound. */
+const FIXED_ROOM = 2;
 /** After the first place that a fixed step passes over, so many windows are looked at for the shortest step. */
 const MOST_WINDOWS = 200;
 
@@ -81,8 +83,8 @@ export class InputPlan {
       let more = MOST_WINDOWS;
       for (let t = from; t < until && more > 0;) {
         const bound = schedule.bound(t);
-        const short = bound < step && schedule.end - t > bound;
-        if (short) found = { name, time: found?.time ?? t, step: Math.min(found?.step ?? step, bound) };
+        const short = bound < FIXED_ROOM * step && schedule.end - t > step;
+        if (short) found = { name, time: found?.time ?? t, step: Math.min(found?.step ?? step, bound / FIXED_ROOM) };
         if (found) more--;
         t = Math.min(schedule.end, t + Math.min(bound, until - t));
         if (t >= schedule.end) schedule.begin(t);

@@ -74,6 +74,8 @@ function over(a: Wide, b: Wide): Wide {
 function plus(a: Wide, b: Wide): Wide {
   if (signOf(a) === 0) return b;
   if (signOf(b) === 0) return a;
+  if (typeof a === 'number' && !Number.isFinite(a)) return typeof b === 'number' ? a + b : a;
+  if (typeof b === 'number' && !Number.isFinite(b)) return b;
   if (typeof a === 'number' && typeof b === 'number' && !(Math.abs(a) + Math.abs(b) > 1e300)) return a + b;
   let [large, small] = [a, b];
   if (less(logOf(a), logOf(b))) [large, small] = [b, a];

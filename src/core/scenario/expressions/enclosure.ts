@@ -12,7 +12,10 @@ import {
   powerOf,
   quotient,
   quotientBy,
+  fromRelative,
+  relativeCosh,
   relativeExp,
+  relativePower,
   relativeTo,
   scaled,
   share,
@@ -22,6 +25,9 @@ import {
   type Series,
 } from './series.ts';
 import { decide, type Node } from './tree.ts';
+
+/** Only its first coefficient is asked for. */
+const ONE = constant(1, newSeries(0));
 
 /** A switch that an interval leaves open. */
 export interface Open {
@@ -107,9 +113,13 @@ export class Enclosure {
   private relative(): Series {
     const { node, parts, series, work, gap } = this;
     const [a, b] = parts;
-    if (node.op === 'exp' && !node.constant) relativeExp(a!.series, work);
-    else if (node.op === '*' && !node.constant) times(a!.relative(), b!.relative(), work);
-    else if (node.op === '+' && !node.constant && a!.series.lo[0]! > 0 && b!.series.lo[0]! > 0) {
+    if (node.constant) relativeTo(series, work);
+    else if (node.op === 'exp') relativeExp(a!.series, work);
+    else if (node.op === 'cosh') relativeCosh(a!.series, work);
+    else if (node.op === '*') times(a!.relative(), b!.relative(), work);
+    else if (node.op === '/') quotientBy(a!.relative(), ONE, b!.relative(), work);
+    else if (node.op === '^' && b!.node.constant) relativePower(a!.relative(), b!.series.lo[0]!, work);
+    else if (node.op === '+' && a!.series.lo[0]! > 0 && b!.series.lo[0]! > 0) {
       share(a!.series, a!.relative(), b!.series, gap);
       share(b!.series, b!.relative(), a!.series, work);
       sum(gap, work, work);
@@ -120,7 +130,10 @@ export class Enclosure {
 
   private raised(u: Series, v: Series): void {
     const [, exponent] = this.node.args;
-    if (exponent!.constant) power(u, v.lo[0]!, this.series);
+    const p = v.lo[0]!;
+    if (exponent!.constant && p < 0 && u.lo[0]! > 0)
+      fromRelative(this.relative(), u.hi[0]! ** p * (1 - POINT), u.lo[0]! ** p * (1 + POINT), this.series);
+    else if (exponent!.constant) power(u, p, this.series);
     else powerOf(u, v, this.series);
   }
 

@@ -12,13 +12,13 @@ import { switchesOf, type Node } from './tree.ts';
  *
  * A step is short enough (`bound`) where the formula is quiet, which is a parabola up to a small part of its largest
  * size, or where it changes no faster over the step than the step's own stages can see: h^2 |u'''| <= REACH (|u'| + h |u''|),
- * all three bounded over twice the step. For sin(wt) that is w h < 2.7, for the flank of a pulse about its e-fold time.
- * Where intervals tell nothing (beyond the range of doubles, say) steps grow from the shortest as if nothing happened there.
+ * all three bounded over twice the step. For sin(wt) that is w h < 4.8, for the flank of a pulse about its e-fold time.
+ * Where intervals tell nothing (beyond the range of doubles, say) steps grow from the shortest to where they tell something.
  * The size of the step is then the error estimate's to choose: it sees what there is.
  */
 
 /** How much faster than a step a formula may change within it: less than a period, so that stages see it. */
-const REACH = 2;
+const REACH = 4;
 /** Switches closer than this beside the time, or 1 s, are one: a step between them could not advance the time. */
 const TOGETHER = 64 * Number.EPSILON;
 /** What switches back within this (beside the time, or 1 s) and is not monotone is not looked for. */
@@ -31,6 +31,10 @@ export const SHORTEST = 1e-9;
 const SIZE_LOOKS = 400;
 /** So many shortest steps in a row without any bound on the formula: then steps grow again, blindly. */
 const MOST_BLIND = 20;
+/** Places within a blind step where it is tried whether something is known again. */
+const BLIND_LOOKS = 64;
+/** What the window shrinks by until the formula is quiet, or slow, in it. */
+const NARROWER = 0.7;
 /** Growth of the window from one bound to the next. */
 const WIDER = 8;
 
@@ -126,14 +130,24 @@ export class Schedule {
     if (!(rest > shortest)) return Infinity;
     const wanted = this.step < Infinity ? this.step * WIDER : rest;
     let h = Math.min(rest, wanted);
-    while (h > shortest && !this.sees(t, h, end)) h /= 2;
+    while (h > shortest && !this.sees(t, h, end)) h *= NARROWER;
     this.blind = h > shortest || this.known ? 0 : this.blind + 1;
     h = Math.max(h, shortest);
-    if (this.blind > MOST_BLIND) h = Math.min(rest, shortest * 2 ** (this.blind - MOST_BLIND));
+    if (this.blind > MOST_BLIND) h = this.blindStep(t, Math.min(rest, shortest * 2 ** (this.blind - MOST_BLIND)));
     this.since = t;
     this.through = t + h;
     this.step = h >= rest ? Infinity : h;
     return this.step;
+  }
+
+  /** A step where nothing is known, at most to where something is again. */
+  private blindStep(t: number, h: number): number {
+    for (let k = 1; k <= BLIND_LOOKS; k++) {
+      const shortest = SHORTEST * beside(t);
+      this.sees(t + (h * k) / BLIND_LOOKS, shortest, Infinity);
+      if (this.known) return Math.max(shortest, (h * (k - 1)) / BLIND_LOOKS);
+    }
+    return h;
   }
 
   private sees(t: number, h: number, end: number): boolean {

@@ -113,6 +113,33 @@ export const relativeExp: Unary = (u, out) => {
   for (let k = 1; k < out.lo.length; k++) integrate(u, out, out, k);
 };
 
+/** cosh(u) beside its first coefficient, with sinh(u) beside the same. */
+export const relativeCosh: Unary = (u, out) => {
+  const s = scratch(out);
+  rising(Math.tanh, u.lo[0]!, u.hi[0]!);
+  put(s, 0);
+  out.lo[0] = out.hi[0] = 1;
+  pair(u, s, out, 1);
+};
+
+/** u^p beside its first coefficient, from u beside its own. */
+export function relativePower(relative: Series, p: number, out: Series): void {
+  out.lo[0] = out.hi[0] = 1;
+  for (let k = 1; k < out.lo.length; k++) {
+    from(0, 0);
+    for (let j = 1; j <= k; j++) onto(relative, j, out, k - j, j * p - (k - j));
+    putSum(out, k, k);
+  }
+}
+
+/** A series from its first coefficient and those beside it. */
+export function fromRelative(relative: Series, lo: number, hi: number, out: Series): void {
+  for (let k = 0; k < out.lo.length; k++) {
+    multiply(relative.lo[k]!, relative.hi[k]!, lo, hi);
+    put(out, k);
+  }
+}
+
 /** The coefficients of u > 0 beside those of u + v, v > 0: a share of them between 0 and 1. */
 export function share(u: Series, relative: Series, v: Series, out: Series): void {
   const least = u.lo[0]! / (u.lo[0]! + v.hi[0]!);
@@ -204,15 +231,19 @@ const tangent =
     put(out, 0);
     const w = scratch(out);
     for (let k = 0; k < out.lo.length - 1; k++) {
-      if (k === 0) square(out.lo[0]!, out.hi[0]!);
-      else {
+      if (k > 0) {
         from(0, 0);
-        for (let j = 0; j <= k; j++) onto(out, j, out, k - j);
+        for (let j = 0; j <= k; j++) onto(out, j, out, k - j, sign);
         add(lo, hi, 0, 0);
+      } else if (sign === 1) {
+        square(out.lo[0]!, out.hi[0]!);
+        add(bound.lo, bound.hi, 1, 1);
+      } else {
+        // 1 - tanh^2 = 1/cosh^2, which rounding leaves small where tanh is 1.
+        cosh(a, b);
+        square(bound.lo, bound.hi);
+        divide(1, 1, bound.lo, bound.hi);
       }
-      multiply(bound.lo, bound.hi, sign, sign);
-      if (k === 0) add(bound.lo, bound.hi, 1, 1);
-      if (sign === -1 && k === 0) bound.lo = Math.max(0, bound.lo);
       put(w, k);
       integrate(u, w, out, k + 1);
     }

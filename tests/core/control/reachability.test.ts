@@ -34,13 +34,15 @@ describe.each([11, 12, 13])('seed %i', (seed) => {
     expect(complement.transpose().mmul(Bt).norm()).toBeLessThan(1e-12);
     expect(Matrix.sub(V.transpose().mmul(V), Matrix.eye(r)).norm()).toBeLessThan(1e-13);
     const split = splitByReachability(At, Bt);
+    // Its basis is another one of the same subspace.
+    expect(Matrix.sub(V, split.reachable.mmul(split.reachable.transpose()).mmul(V)).norm()).toBeLessThan(1e-11);
     if (r < n) {
       expect(split.complementResidual).toBeLessThan(1e-11);
       expect(Matrix.sub(split.W.mmul(At), split.A.mmul(split.W)).norm()).toBeLessThan(
         1e-9 * At.norm() * split.W.norm(),
       );
     }
-    expect(Matrix.sub(split.W.mmul(V), Matrix.eye(r)).norm()).toBeLessThan(1e-12);
+    expect(Matrix.sub(split.W.mmul(split.reachable), Matrix.eye(r)).norm()).toBeLessThan(1e-12);
   });
 });
 

@@ -17,6 +17,28 @@ const COMMON = 1e-11;
 export function sylvesterLeastSquares(A: Matrix, B: Matrix, C: Matrix): Matrix {
   const [r, s] = [A.rows, B.rows];
   if (r === 0 || s === 0) return new Matrix(r, s);
+  return Matrix.from1DArray(r, s, leastNorm(kronecker(A, B), C.to1DArray()));
+}
+
+/**
+ * The same with X D = E besides: X (r x s) of least norm that minimizes |A X - X B - C|² + |X D - E|².
+ * @param D s x t
+ * @param E r x t
+ */
+export function sylvesterWith(A: Matrix, B: Matrix, C: Matrix, D: Matrix, E: Matrix): Matrix {
+  const [r, s, t] = [A.rows, B.rows, D.columns];
+  if (r === 0 || s === 0) return new Matrix(r, s);
+  const K = Matrix.zeros(r * (s + t), r * s);
+  K.setSubMatrix(kronecker(A, B), 0, 0);
+  for (let i = 0; i < r; i++) {
+    for (let j = 0; j < t; j++) for (let k = 0; k < s; k++) K.set(r * s + i * t + j, i * s + k, D.get(k, j));
+  }
+  return Matrix.from1DArray(r, s, leastNorm(K, [...C.to1DArray(), ...E.to1DArray()]));
+}
+
+/** The matrix of X -> A X - X B on the rows of X one after the other. */
+function kronecker(A: Matrix, B: Matrix): Matrix {
+  const [r, s] = [A.rows, B.rows];
   const K = Matrix.zeros(r * s, r * s);
   for (let i = 0; i < r; i++) {
     for (let j = 0; j < s; j++) {
@@ -25,10 +47,14 @@ export function sylvesterLeastSquares(A: Matrix, B: Matrix, C: Matrix): Matrix {
       for (let k = 0; k < s; k++) K.set(row, i * s + k, K.get(row, i * s + k) - B.get(k, j));
     }
   }
+  return K;
+}
+
+function leastNorm(K: Matrix, right: readonly number[]): number[] {
   const { leftSingularVectors: U, rightSingularVectors: V, diagonal } = new SingularValueDecomposition(K);
-  const c = U.transpose().mmul(Matrix.columnVector(C.to1DArray()));
+  const c = U.transpose().mmul(Matrix.columnVector([...right]));
   diagonal.forEach((sigma, i) => c.set(i, 0, sigma > COMMON * diagonal[0]! ? c.get(i, 0) / sigma : 0));
-  return Matrix.from1DArray(r, s, V.mmul(c).to1DArray());
+  return V.mmul(c).to1DArray();
 }
 
 /** Symmetric X with A^T X + X A = -C, C symmetric, n x n; null where A and -A share an eigenvalue. */

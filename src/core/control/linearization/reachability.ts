@@ -1,7 +1,7 @@
 import { inverse, Matrix, QrDecomposition } from 'ml-matrix';
 import { besides, columnSpace, norm, rankByGap } from './matrices.ts';
 import { distance, eigenvalues, modesOf, type Complex, type Mode } from './spectrum.ts';
-import { sylvesterLeastSquares } from '../design/sylvester.ts';
+import { sylvesterLeastSquares, sylvesterWith } from '../design/sylvester.ts';
 
 /** Where inputs can bring a linear system, and where not. */
 export interface Reachability {
@@ -101,6 +101,39 @@ export function balanced(basis: Matrix, A: Matrix, B: Matrix): BalancedPlant {
   return { A: R.mmul(A).mmul(back), B: R.mmul(B), basis: Q, back, unit: s };
 }
 
+/** Corrections of a reachable subspace; each squares what is missing. */
+const MOST_CORRECTIONS = 3;
+
+/**
+ * A reachable subspace of the same dimension, but invariant and with the inputs in it to rounding: over weak stages the
+ * staircase's last directions carry rounding many times over. Newton's method for invariant subspaces (G. W. Stewart,
+ * "Error and perturbation bounds for subspaces associated with certain eigenvalue problems", SIAM Review 15 (1973),
+ * 727-764): V + Vp P with (Vp^T A Vp) P - P (V^T A V) = -Vp^T A V, here with P (V^T B) = -Vp^T B besides.
+ */
+function refined(reach: Reachability, { A, B }: Pick<BalancedPlant, 'A' | 'B'>): Reachability {
+  let { reachable: V, complement: Vp } = reach;
+  if (V.columns === 0 || Vp.columns === 0) return reach;
+  const missing = (): number => norm(Vp.transpose().mmul(A).mmul(V)) / (norm(A) || 1);
+  let least = missing();
+  for (let k = 0; k < MOST_CORRECTIONS && least > FINE; k++) {
+    const [Vt, Vpt] = [V.transpose(), Vp.transpose()];
+    const rest = Vpt.mmul(A).mmul(V).mul(-1);
+    const P = sylvesterWith(Vpt.mmul(A).mmul(Vp), Vt.mmul(A).mmul(V), rest, Vt.mmul(B), Vpt.mmul(B).mul(-1));
+    const before = { V, Vp };
+    ({ basis: V, complement: Vp } = columnSpace(Matrix.add(V, Vp.mmul(P)), () => before.V.columns));
+    const now = missing();
+    if (!(now < least)) {
+      ({ V, Vp } = before);
+      break;
+    }
+    least = now;
+  }
+  return { ...reach, reachable: V, complement: Vp };
+}
+
+/** What a refined subspace may leave out, as a share of |A|. */
+const FINE = 1e-15;
+
 /** A in blocks of reachable and other directions, and a complement that moves by itself. */
 export interface ReachableSplit extends Reachability {
   /** V^T A V, V^T A Vp, Vp^T A Vp and V^T B. */
@@ -127,11 +160,8 @@ export interface ReachableSplit extends Reachability {
 export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[], basis?: Matrix): ReachableSplit {
   const I = Matrix.eye(A.rows);
   const plant = basis ? balanced(basis, A, B) : { A, B, basis: I, back: I, unit: 1 };
-  const inBalance = reachableSubspace(
-    plant.A,
-    plant.B,
-    sizes?.map((size) => size / plant.unit),
-  );
+  const sized = sizes?.map((size) => size / plant.unit);
+  const inBalance = refined(reachableSubspace(plant.A, plant.B, sized), plant);
   // What the inputs reach is the same subspace; its basis is orthonormal in tangent coordinates.
   const { basis: V, complement: Vp } = basis
     ? columnSpace(plant.back.mmul(inBalance.reachable), () => inBalance.reachable.columns)

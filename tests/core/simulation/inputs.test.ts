@@ -105,6 +105,21 @@ describe('inputs that act briefly', () => {
     expect(distance(run, short)).toBeLessThan(1e-3 * effect);
   });
 
+  test.each([
+    // The one root has no slope at its start while the other is dead: each part of a sum keeps its own pace.
+    ['sqrt(mod(t,0.3))+sqrt(max(0,cos(3*t)))'],
+    // Rounding puts the end of a stretch just outside of the root.
+    ['sqrt(abs(sin(4*t)))'],
+    ['sin(4*t) > 0 ? sqrt(sin(4*t)) : 0'],
+    ['sin(20*(t-0.5))/(t-0.5)'],
+    ['atan(tan(3*t))'],
+  ])('all methods agree on %s', (tau_phi) => {
+    const rates = adaptive.map(
+      (name) => endOf({ ...wheel, duration: 1.2, inputs: { tau_phi }, method: { name, rtol: 1e-9 } }).v[3]!,
+    );
+    for (const rate of rates) expect(Math.abs(rate - rates[0]!)).toBeLessThan(3e-7);
+  });
+
   test('a logistic reference goes on where its exponential has left the range of doubles', () => {
     const reference = { tau_fp: '10 deg/(1+exp(100*(t-1)))', tau_bp: '-10 deg/(1+exp(100*(t-1)))' };
     const { end, counts } = runOf({

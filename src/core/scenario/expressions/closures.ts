@@ -99,7 +99,7 @@ function switching(node: Node, parts: Closures[]): Closures {
     }
     case 'min':
     case 'max': {
-      const pick = (x: number, y: number): number => (is(x, y) ? y : x !== x || y === y ? x : y);
+      const pick = op === 'min' ? Math.min : Math.max;
       return {
         value: (t) => pick(a.value(t), b.value(t)),
         dual(t) {
@@ -128,16 +128,13 @@ function switching(node: Node, parts: Closures[]): Closures {
         },
       };
     case 'abs':
+      // The value is that of either side at the switch itself; only the rate has two.
       return {
-        value(t) {
-          const x = a.value(t);
-          return x * is(x, 0);
-        },
+        value: (t) => Math.abs(a.value(t)),
         dual(t) {
           const x = a.dual(t);
-          const side = is(x, 0);
-          mark.rate *= side;
-          return x * side;
+          mark.rate *= is(x, 0);
+          return Math.abs(x);
         },
       };
     default: {

@@ -14,8 +14,20 @@ const SETTLED = 1e-6;
 
 /** lim f(t), or NaN where values beside t do not settle. */
 export function limitAt(f: (t: number) => number, t: number): number {
-  const right = extrapolated(f, t, 1);
-  return right === right ? right : extrapolated(f, t, -1);
+  for (const limit of [extrapolated, neighbour]) {
+    for (const side of [1, -1]) {
+      const value = limit(f, t, side);
+      if (value === value) return value;
+    }
+  }
+  return NaN;
+}
+
+/** A value some last digits aside: a root's end, where rounding has put t outside. */
+function neighbour(f: (t: number) => number, t: number, side: number): number {
+  const ulp = Number.EPSILON * Math.max(1, Math.abs(t)) * side;
+  const [close, far] = [f(t + 4 * ulp), f(t + 64 * ulp)];
+  return Math.abs(close - far) <= SETTLED * Math.max(1, Math.abs(close)) ? close : NaN;
 }
 
 function extrapolated(f: (t: number) => number, t: number, side: number): number {

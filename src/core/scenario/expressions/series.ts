@@ -282,7 +282,11 @@ const acos: Unary = (u, out) => {
   put(out, 0);
 };
 
+/** 0 at every t: roots are then 0 too, with all their derivatives. */
+const isZero = (u: Series): boolean => u.lo.every((x) => x === 0) && u.hi.every((x) => x === 0);
+
 export const sqrt: Unary = (u, out) => {
+  if (isZero(u)) return void constant(0, out);
   rising((x) => Math.sqrt(Math.max(0, x)), u.lo[0]!, u.hi[0]!, -1e-300);
   put(out, 0);
   for (let k = 1; k < out.lo.length; k++) {
@@ -295,6 +299,7 @@ export const sqrt: Unary = (u, out) => {
 
 /** u^p for u > 0: u f' = p f u'. */
 function realPower(u: Series, p: number, out: Series): void {
+  if (p > 0 && isZero(u)) return void constant(0, out);
   const [a, b] = [u.lo[0]!, u.hi[0]!];
   const f = (x: number): number => Math.pow(x, p);
   if (p > 0) rising(f, a, b, 0);
@@ -336,6 +341,7 @@ export function power(u: Series, p: number, out: Series): void {
 }
 
 const cbrt: Unary = (u, out) => {
+  if (isZero(u)) return void constant(0, out);
   rising(Math.cbrt, u.lo[0]!, u.hi[0]!);
   put(out, 0);
   const w = scratch(out);

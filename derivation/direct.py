@@ -1,7 +1,7 @@
 """The shortest way to constrained accelerations, as functions of their own: see `composite` and `elimination`.
 
 A model that says what its bodies hang on (`Direct`) is derived anew in the axes of that frame; any other keeps its equations
-and gains by the elimination alone.
+and gains by the elimination alone. Sines and cosines are written out by `trigonometry`.
 
 For each set of constraint rows, over y = [q, v], constants c that `prepare` makes from the parameters once, and factors that
 the accelerations leave for what follows at the same state:
@@ -104,7 +104,7 @@ class Programs:
     def text(self, source) -> str:
         n, model = self.n, self.model
         names = {"q": [s.name for s in model.q], "v": [s.name for s in model.v], "p": [s.name for s in model.parameters]}
-        writer, of_state = Writer(self.tape, names), Writer(self.tape, names, {"q": ("y", 0), "v": ("y", n)})
+        writer, of_state = Writer(self.tape, names, own_sines=True), Writer(self.tape, names, {"q": ("y", 0), "v": ("y", n)}, True)
         fixed = self.fixed()
         constants = {i: f"c[{k}]!" for k, i in enumerate(fixed)}
         texts = [HEADER.format(what="Constrained accelerations", title=model.title, source=source),

@@ -22,6 +22,39 @@ interface Tape {
 const readTape = (id: string): Tape =>
   JSON.parse(readFileSync(`src/core/systems/${id}/accelerations.generated.json`, 'utf8')) as Tape;
 
+/** Sine and cosine as derivation/trigonometry.py writes them into every engine. */
+function sineAndCosine(x: number): { sin: number; cos: number } {
+  const rounder = 1.5 * 2 ** 52;
+  const k = x * 0.6366197723675814 + rounder - rounder;
+  const high = x - k * 1.57079632673412561417;
+  const second = k * 6.0771005063039659766e-11;
+  const r = high - second;
+  const lost = high - r - second - k * 2.02226624879595063154e-21;
+  const z = r * r;
+  const half = 0.5 * z;
+  const rest = 1 - half;
+  const along = (c: readonly number[]) => c.reduceRight((sum, coefficient) => coefficient + z * sum);
+  const q = z * (z * along(COSINE));
+  const s = r + (z * r * along(SINE) + lost * (rest + q));
+  const c = rest + (1 - rest - half + (q - s * lost));
+  const [sin, cos] = [
+    [s, c],
+    [c, -s],
+    [-s, -c],
+    [-c, s],
+  ][k & 3] as [number, number];
+  return { sin, cos };
+}
+
+const SINE = [
+  -1.66666666666666324348e-1, 8.33333333332248946124e-3, -1.98412698298579493134e-4, 2.75573137070700676789e-6,
+  -2.50507602534068634195e-8, 1.58969099521155010221e-10,
+];
+const COSINE = [
+  4.16666666666666019037e-2, -1.38888888888741095749e-3, 2.48015872894767294178e-5, -2.75573143513906633035e-7,
+  2.0875723212981748279e-9, -1.13596475577881948265e-11,
+];
+
 /** Every value of a tape, one operation after another. */
 function valuesOf({ ops }: Tape, inputs: Readonly<Record<string, Float64Array>>): number[] {
   const values: number[] = [];
@@ -35,6 +68,7 @@ function valuesOf({ ops }: Tape, inputs: Readonly<Record<string, Float64Array>>)
     else if (kind === 'mul') values.push(a * b);
     else if (kind === 'div') values.push(a / b);
     else if (kind === 'neg') values.push(-a);
+    else if (kind === 'sin' || kind === 'cos') values.push(sineAndCosine(a)[kind]);
     else values.push(one[kind]!(a));
   }
   return values;

@@ -44,7 +44,9 @@ export class DirectAccelerations {
 
   /** Whether q and v are the state last evaluated by `ofState`. */
   holds(q: Float64Array, v: Float64Array): boolean {
-    for (let i = 0; i < q.length; i++) if (q[i] !== this.q[i] || v[i] !== this.v[i]) return false;
+    const { y } = this;
+    const n = q.length;
+    for (let i = 0; i < n; i++) if (q[i] !== y[i] || v[i] !== y[n + i]) return false;
     return true;
   }
 
@@ -56,11 +58,13 @@ export class DirectAccelerations {
 
   /** Evaluates at a state; false where there is no acceleration this way. */
   ofState(t: number, q: Float64Array, v: Float64Array): boolean {
-    for (let i = 0; i < q.length; i++) {
-      this.q[i] = q[i]!;
-      this.v[i] = v[i]!;
+    const { y } = this;
+    const n = q.length;
+    for (let i = 0; i < n; i++) {
+      y[i] = q[i]!;
+      y[n + i] = v[i]!;
     }
-    return this.evaluate(t, this.y, this.rate);
+    return this.evaluate(t, y, this.rate);
   }
 
   /** The same at y = [q, v], straight into `rate` (2 n); the state is not held, its factors are. */

@@ -36,9 +36,22 @@ export function rollingAccelerations(
   const theta_dot = y[6]!;
   const phi_dot = y[7]!;
   const f3 = f[3]!;
-  const x4 = Math.cos(theta);
+  const g0 = theta;
+  const k0 = g0 * 0.6366197723675814 + 6755399441055744 - 6755399441055744;
+  const h0 = g0 - k0 * 1.5707963267341256;
+  const w0 = k0 * 6.077100506303966e-11;
+  const r0 = h0 - w0;
+  const t0 = h0 - r0 - w0 - k0 * 2.0222662487959506e-21;
+  const z0 = r0 * r0;
+  const u0 = 0.5 * z0;
+  const o0 = 1 - u0;
+  const q0 = z0 * (z0 * (0.0416666666666666 + z0 * (-0.001388888888887411 + z0 * (2.480158728947673e-05 + z0 * (-2.7557314351390663e-07 + z0 * (2.087572321298175e-09 + z0 * -1.1359647557788195e-11))))));
+  const s0 = r0 + (z0 * r0 * (-0.16666666666666632 + z0 * (0.00833333333332249 + z0 * (-0.0001984126982985795 + z0 * (2.7557313707070068e-06 + z0 * (-2.5050760253406863e-08 + z0 * 1.58969099521155e-10))))) + t0 * (o0 + q0));
+  const c0 = o0 + (1 - o0 - u0 + (q0 - s0 * t0));
+  const n0 = k0 & 3;
+  const x4 = n0 === 0 ? c0 : n0 === 2 ? -c0 : n0 === 1 ? -s0 : s0;
   const x5 = x1 * x4;
-  const x6 = Math.sin(theta);
+  const x6 = n0 === 0 ? s0 : n0 === 2 ? -s0 : n0 === 1 ? c0 : -c0;
   const x7 = x1 * x6;
   const x8 = theta_dot * (phi_dot * x1);
   const x9 = x5 * x3;
@@ -102,8 +115,21 @@ export function rollingSlip(
   q: Float64Array, v: Float64Array, c: Float64Array, slip: Float64Array, heights: Float64Array,
 ): void {
   const theta = q[2]!;
-  const x0 = Math.cos(theta);
-  const x1 = Math.sin(theta);
+  const g0 = theta;
+  const k0 = g0 * 0.6366197723675814 + 6755399441055744 - 6755399441055744;
+  const h0 = g0 - k0 * 1.5707963267341256;
+  const w0 = k0 * 6.077100506303966e-11;
+  const r0 = h0 - w0;
+  const t0 = h0 - r0 - w0 - k0 * 2.0222662487959506e-21;
+  const z0 = r0 * r0;
+  const u0 = 0.5 * z0;
+  const o0 = 1 - u0;
+  const q0 = z0 * (z0 * (0.0416666666666666 + z0 * (-0.001388888888887411 + z0 * (2.480158728947673e-05 + z0 * (-2.7557314351390663e-07 + z0 * (2.087572321298175e-09 + z0 * -1.1359647557788195e-11))))));
+  const s0 = r0 + (z0 * r0 * (-0.16666666666666632 + z0 * (0.00833333333332249 + z0 * (-0.0001984126982985795 + z0 * (2.7557313707070068e-06 + z0 * (-2.5050760253406863e-08 + z0 * 1.58969099521155e-10))))) + t0 * (o0 + q0));
+  const c0 = o0 + (1 - o0 - u0 + (q0 - s0 * t0));
+  const n0 = k0 & 3;
+  const x0 = n0 === 0 ? c0 : n0 === 2 ? -c0 : n0 === 1 ? -s0 : s0;
+  const x1 = n0 === 0 ? s0 : n0 === 2 ? -s0 : n0 === 1 ? c0 : -c0;
   const x2 = v[3]! * c[1]!;
   slip[0] = v[0]! - x0 * x2;
   slip[1] = v[1]! - x1 * x2;

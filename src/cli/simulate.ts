@@ -17,6 +17,7 @@ export function simulate(scenario: Scenario, system: System, out: string | undef
   const simulation = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system) });
   for (const { name, from, to } of simulation.adjustments) process.stderr.write(`start: ${name} ${from} -> ${to}\n`);
   for (const note of simulation.notes) process.stderr.write(`start: ${note}\n`);
+  for (const warning of simulation.warnings) process.stderr.write(`warning: ${warning}\n`);
   const file = open(out);
   let header = true;
   try {
@@ -28,6 +29,8 @@ export function simulate(scenario: Scenario, system: System, out: string | undef
       writeAll(file, header ? text : text.slice(text.indexOf('\n') + 1));
       header = false;
     }
+    // Behind the table, where a program that knows no comments has read all numbers.
+    for (const warning of simulation.warnings) writeAll(file, `# warning: ${warning}\n`);
   } finally {
     if (out !== undefined) closeSync(file);
   }

@@ -23,7 +23,7 @@ async function compute(
     type: 'started',
     columns: [...simulation.columns],
     adjustments: [...simulation.adjustments],
-    notes: [...simulation.notes],
+    notes: [...simulation.notes, ...simulation.warnings],
   });
   const send = (): void => {
     const { columns, rows } = simulation.takeChunk();

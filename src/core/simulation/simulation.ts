@@ -89,6 +89,8 @@ export class Simulation {
   readonly columns: readonly string[];
   readonly adjustments: readonly StartAdjustment[];
   readonly notes: readonly string[];
+  /** Why the run is not to be trusted as it is. */
+  readonly warnings: readonly string[];
   readonly dynamics: ConstrainedSystem;
   readonly q: Float64Array;
   readonly v: Float64Array;
@@ -164,12 +166,10 @@ export class Simulation {
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     const unresolved = stepped.plan && fixedStepOf(scenario.method);
-    this.notes = [
-      ...start.notes,
-      ...(unresolved
-        ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
-        : []),
-    ];
+    this.notes = start.notes;
+    this.warnings = unresolved
+      ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
+      : [];
     this.q = start.q;
     this.v = start.v;
     this.hand = pushes ? new PushForce(system, parameters) : null;

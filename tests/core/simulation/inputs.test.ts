@@ -134,14 +134,14 @@ describe('inputs that act briefly', () => {
   });
 
   test('a fixed step that passes over an input says so, one that does not keeps quiet', () => {
-    const notes = (step: number, tau: string): readonly string[] =>
-      runOf({ ...wheel, inputs: { tau_phi: tau }, method: { name: 'rk4', step } }).simulation.notes;
-    expect(notes(0.1, 'exp(-((t-8)/0.003)^2)').join()).toMatch(
+    const warnings = (step: number, tau: string): readonly string[] =>
+      runOf({ ...wheel, inputs: { tau_phi: tau }, method: { name: 'rk4', step } }).simulation.warnings;
+    expect(warnings(0.1, 'exp(-((t-8)/0.003)^2)').join()).toMatch(
       /tau_phi changes within a step at t = 7\.\d+ s: .* take one of 0\.000\d+ s/,
     );
-    expect(notes(0.1, 'sin(t)')).toEqual([]);
-    expect(notes(0.1, 't > 3.05 ? 1 : 0')).toEqual([]);
-    expect(notes(2e-4, 'exp(-((t-8)/0.003)^2)')).toEqual([]);
+    expect(warnings(0.1, 'sin(t)')).toEqual([]);
+    expect(warnings(0.1, 't > 3.05 ? 1 : 0')).toEqual([]);
+    expect(warnings(2e-4, 'exp(-((t-8)/0.003)^2)')).toEqual([]);
   });
 
   test('a fixed step ends at a switch', () => {

@@ -14,7 +14,8 @@ the accelerations leave for what follows at the same state:
 import json
 from dataclasses import dataclass
 
-from .composite import Dynamics, Tree
+from .branches import Tree
+from .composite import Dynamics
 from .elimination import Saddle
 from .recorder import Recorder
 from .tape import Tape, arguments

@@ -94,6 +94,12 @@ describe('enclosures', () => {
     );
   });
 
+  it('decide by bounds, not by a point where the formula has no value', () => {
+    const { lo, hi } = new Enclosure(of('2 + sin(asin(t)) > 0 ? t : 7').tree, 1).over({ a: 0, b: 10, open: [] });
+    expect(lo[0]!).toBeLessThanOrEqual(0);
+    expect(hi[0]!).toBeGreaterThanOrEqual(1);
+  });
+
   it('hold second and third derivatives', () => {
     for (const text of [
       'sin(3*t)*exp(-t)',

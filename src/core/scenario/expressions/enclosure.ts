@@ -176,7 +176,7 @@ export class Enclosure {
       const y = op === 'mod' ? 1 : 0;
       const [from, to] = [decide(op)!(low, y), decide(op)!(high, y)];
       if (from === to) return from;
-    } else if (low > 0 || high < 0 || (low === 0 && high === 0)) return this.decisionAt(middle);
+    } else if (low > 0 || high < 0 || (low === 0 && high === 0)) return decide(op)!(low, 0);
     // Without bounds it may have a pole, and rise on both sides of it.
     const monotone =
       this.smooth &&

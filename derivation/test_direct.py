@@ -8,10 +8,15 @@ import mpmath
 import sympy as sp
 
 from . import ripstik
+from .branches import Tree
+from .composite import Dynamics
 from .direct import Programs
 from .elimination import Saddle
-from .rotations import Frame
+from .energy import Body, Point, potential
+from .euler_lagrange import along, from_bodies
+from .model import coordinates
 from .recorder import Recorder
+from .rotations import Frame
 from .tape import Tape
 from .test_derivation import number, values
 from .trigonometry import sine_and_cosine
@@ -79,6 +84,39 @@ class ShortWay(unittest.TestCase):
         """Operations, parameters' products left out: what was measured, and a little."""
         for name, most in (("rolling", 1580), ("report", 1560)):
             self.assertLessEqual(self.programs.sets[name].operations(), most, name)
+
+
+class AnyTree(unittest.TestCase):
+    def test_a_branch_of_two_joints_away_from_the_origin_with_a_rotor_at_its_end(self):
+        """Free on (x, y, z), yaw and pitch; an arm, on it a second one of three unequal moments, on that a wheel."""
+        q, v = coordinates("x y z yaw pitch first second spin")
+        g = sp.Symbol("g", real=True)
+        carrier = Frame.world(q).turned("z", q[3], q).turned("y", q[4], q)
+        arm = carrier.turned("y", q[5], q)
+        hand = arm.turned("z", sp.Rational(1, 5), q).turned("x", q[6], q)
+        wheel = hand.turned("y", q[7], q)
+        numbers = lambda *x: sp.Matrix([sp.Rational(str(a)) for a in x])
+        origin = Point.fixed(q[:3, 0], carrier, sp.zeros(3, 1))
+        elbow = origin.moved(carrier, numbers(0.3, 0.1, -0.2)).moved(arm, numbers(0.4, 0, 0.1))
+        hub = elbow.moved(hand, numbers(0.1, 0.2, 0.3))
+        bodies = (Body("trunk", carrier, origin, sp.Integer(3), sp.diag(2, 3, 4)), Body("arm", arm, elbow, sp.Integer(1), sp.diag(1, 2, 2) / 5),
+                  Body("hand", hand, elbow.moved(hand, numbers(-0.1, 0.05, 0)), sp.Integer(2), sp.diag(1, 2, 3) / 10), Body("wheel", wheel, hub, sp.Integer(1), sp.diag(1, 2, 1) / 7))
+        equations = from_bodies(bodies, potential(bodies, g), q, v)
+        tape = Tape()
+        record = Recorder(tape, {"q": list(q), "v": list(v), "p": [g]})
+        dynamics = Dynamics(Tree(record, q, v, bodies, g), [tape.input("f", i) for i in range(8)], [("z", hub)])
+        a, lam = Saddle(dynamics.M, dynamics.Omega).solve(dynamics.h, dynamics.gamma)
+        a = dynamics.unknowns.accelerations(a)
+        at = values([*q, *v, g], 31)
+        with mpmath.workdps(DIGITS):
+            f = [mpmath.mpf(k) / 3 for k in range(8)]
+            found = tape.evaluate(dict(enumerate([*a, *lam])), {"q": [at[s] for s in q], "v": [at[s] for s in v], "p": [at[g]], "f": f}, mpmath)
+            row = hub.jacobian(q)[2, :]
+            for i in range(8):
+                left = sum(mpmath.mpf(number(equations.M[i, k], at)) * found[k] for k in range(8)) - mpmath.mpf(number(equations.h[i], at))
+                self.assertLess(abs(left - f[i] - mpmath.mpf(number(row[i], at)) * found[8]), 1e-12, str(q[i]))
+            rate = sum(mpmath.mpf(number(row[k], at)) * found[k] for k in range(8)) + mpmath.mpf(number(along((row * v)[0], q, v), at))
+            self.assertLess(abs(rate), 1e-12)
 
 
 class Trigonometry(unittest.TestCase):

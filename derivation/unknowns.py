@@ -20,8 +20,8 @@ class Unknowns:
         self.base = [i for i in range(len(q)) if q[i] in tree.base.free_symbols]
         self.angles = [i for i in range(len(q)) if i not in self.base]
         P = tree.base.jacobian([q[i] for i in self.base])
-        if P != sp.eye(3)[:, :len(self.base)] or not (len(self.base) == 3 or all(c.frame.axis == "z" for c in tree.carrying)):
-            raise ValueError("a tree's base is a place (x, y, z), or (x, y) where the carrier only turns about z")
+        if P != sp.eye(3):
+            raise ValueError("a tree's base is a place of three coordinates")
         C = sp.Matrix([joint.frame.angle for joint in self.turning]).jacobian([q[i] for i in self.angles])
         self.inverse = C.inv()
 
@@ -32,11 +32,8 @@ class Unknowns:
             vector = self.tree.axes.back(joint.frame, vector)
         return vector
 
-    def _padded(self, values):
-        return [*values, *[self.tree.tape.const(0)] * (3 - len(values))]
-
     def base_rates(self, v):
-        return self._carried(self._padded([self.tree.record(v[i]) for i in self.base]))
+        return self._carried([self.tree.record(v[i]) for i in self.base])
 
     def base_height(self):
         return self.tree.record(self.tree.base[2])
@@ -56,7 +53,7 @@ class Unknowns:
         for rotor in tree.rotors.values():
             for joint, part in self._rotor_parts(rotor):
                 of[joint] = of[joint] - part * of[rotor]
-        return [*(of[j] for j in tree.joints), *self._carried(self._padded([Q[i] for i in self.base])), *(of[c] for c in tree.carrying)]
+        return [*(of[j] for j in tree.joints), *self._carried([Q[i] for i in self.base]), *(of[c] for c in tree.carrying)]
 
     def _mixed(self, matrix, values):
         result = []

@@ -235,7 +235,6 @@ describe('bounds', () => {
           'exp(-((t-A)/W)^2)',
           '1/cosh((t-A)/W)',
           'cosh((t-A)/W)^-2',
-          'exp(-(t-A)/W)/(1+exp(-(t-A)/W))^2',
           '1/(1+((t-A)/W)^2)',
           'sin(t)+exp(-((t-A)/W)^2)',
           '0.001*exp(-((t-A)/W)^2)*cos((t-A)/W)',

@@ -1,29 +1,23 @@
 import { closuresOf, type Closures } from './closures.ts';
 import { add, bound, divide, multiply } from './intervals.ts';
 import {
-  angle,
   constant,
   copy,
   difference,
-  hypotenuse,
   negated,
   newSeries,
-  power,
-  powerOf,
   quotient,
   quotientBy,
   fromRelative,
-  relativeCosh,
-  relativeExp,
   relativePower,
   relativeTo,
   scaled,
   share,
   sum,
   times,
-  unarySeries,
   type Series,
 } from './series.ts';
+import { angle, hypotenuse, power, powerOf, relativeCosh, relativeExp, unarySeries } from './seriesFunctions.ts';
 import { decide, type Node } from './tree.ts';
 
 /** Only its first coefficient is asked for. */

@@ -70,12 +70,50 @@ export function encodeLink(content: LinkContent, { cases }: Pick<Known, 'cases'>
 }
 
 /**
- * What a link holds, its scenario checked like a stranger's file.
+ * What a link holds, its scenario checked like a stranger's file. What mail and chat programs do to addresses is undone
+ * where the check then fits: `&amp;`, `%3D`, `%26` and `%23` in place of signs, a full stop or bracket after the end.
  * @param text with or without `#`
  * @throws LinkError, and nothing else, for what can't be read
  */
-export function decodeLink(text: string, { systems, cases }: Known): OpenedLink {
-  const { own, changes } = entriesOf(text.replace(/^#/, ''));
+export function decodeLink(text: string, known: Known): OpenedLink {
+  const readings = readingsOf(text);
+  let altered: OpenedLink | null = null;
+  let refusal: LinkError | null = null;
+  for (const reading of readings) {
+    try {
+      const opened = decodeReading(reading, known);
+      if (!opened.altered) return opened;
+      altered ??= opened;
+    } catch (error) {
+      if (!(error instanceof LinkError)) throw error;
+      // What is wrong with the reading that has entries is what a person can mend.
+      if (!refusal || !readings[0]!.includes('=')) refusal = error;
+    }
+  }
+  if (altered) return altered;
+  throw refusal!;
+}
+
+/** The text as it is, then as it was before its signs were written in other ways; each once. */
+function readingsOf(text: string): string[] {
+  const signs = text
+    .replace(/^(?:#|%23)+/i, '')
+    .replace(/&(?:amp;)+|&#38;|&#x26;/gi, '&')
+    .replace(/&(?:gt|quot|apos|nbsp|#34|#39);.*$/i, '');
+  const readings = [signs, signs.replace(/(^|&)([^&=]*?)%3D/gi, '$1$2=')];
+  try {
+    readings.push(decodeURIComponent(signs).replace(/^#/, ''));
+  } catch {
+    // Cut within a % code: the others say what is missing.
+  }
+  return [...new Set(readings)];
+}
+
+function decodeReading(text: string, { systems, cases }: Known): OpenedLink {
+  // The check stands last: without it nothing before it need be whole.
+  if (/^v=1(&|$)/.test(text) && !/&sum=[0-9a-z]/.test(text))
+    throw new LinkError('', 'the end is missing; the link was cut on its way');
+  const { own, changes } = entriesOf(text);
   if (own.get('v') !== VERSION)
     throw new LinkError(
       'v',
@@ -83,7 +121,7 @@ export function decodeLink(text: string, { systems, cases }: Known): OpenedLink 
         ? `version "${short(own.get('v')!)}" is not known here; this page reads version ${VERSION}`
         : 'is missing: this is no link of this page, or it was cut',
     );
-  const sum = own.get('sum');
+  const sum = own.get('sum')?.match(/^[0-9a-z]+/)?.[0];
   if (sum === undefined) throw new LinkError('', 'the end is missing; the link was cut on its way');
   const caseId = own.get('case') ?? null;
   const base = cases.find((c) => c.id === caseId);

@@ -142,6 +142,34 @@ describe('what is encoded comes back', () => {
   });
 });
 
+describe('what mail and chat programs do to links is undone', () => {
+  const damages: [string, (text: string) => string][] = [
+    ['written as HTML', (text) => text.replaceAll('&', '&amp;')],
+    ['written as HTML twice', (text) => text.replaceAll('&', '&amp;amp;')],
+    ['a sign by its number', (text) => text.replaceAll('&', '&#38;')],
+    ['equals signs as codes', (text) => text.replaceAll('=', '%3D')],
+    ['the first equals sign as a code', (text) => text.replace('=', '%3d')],
+    ['all of it as codes', (text) => encodeURIComponent(text)],
+    ['all of it as codes, with its beginning', (text) => encodeURIComponent(`#${text}`)],
+    ['two beginnings', (text) => `#%23${text}`],
+    ...['.', ',', ')', '>', '&gt;', '%20', '%22', '"', '’', '…', '%3E'].map(
+      (end): [string, (text: string) => string] => [`${end} behind it`, (text) => text + end],
+    ),
+  ];
+  test.each(damages)('%s', (_, damage) => {
+    fc.assert(
+      fc.property(edited, ({ caseId, scenario }) => {
+        const content = { caseId, title: 'A & B = 100 % #1', scenario };
+        const text = encodeLink(content, known);
+        expect(decodeLink(damage(text), known)).toEqual(decodeLink(text, known));
+      }),
+      { ...SEED, numRuns: 20 },
+    );
+    const own = { caseId: null, title: 'A & B = 100 % #1', scenario: cases[0]!.scenario };
+    expect(decodeLink(damage(encodeLink(own, known)), known)).toEqual({ ...own, altered: false });
+  });
+});
+
 describe('what is refused, by name and place', () => {
   const good = encodeLink(
     { caseId: 'released', scenario: { ...cases.find((c) => c.id === 'released')!.scenario, duration: 3 } },
@@ -192,6 +220,14 @@ describe('what is refused, by name and place', () => {
       altered: true,
       scenario: { duration: 4 },
     });
+  });
+
+  test('cut anywhere, it says that its end is missing; cut in its check alone, it opens', () => {
+    const check = good.lastIndexOf('=') + 1;
+    for (let at = 4; at < check; at++)
+      expect(refusal(good.slice(0, at)), good.slice(0, at)).toMatch(/the end is missing; the link was cut/);
+    for (let at = check + 1; at < good.length; at++)
+      expect(decodeLink(good.slice(0, at), known)).toMatchObject({ scenario: { duration: 3 } });
   });
 
   test('too much for a link is refused when it is made', () => {

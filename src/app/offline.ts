@@ -11,6 +11,7 @@ export async function workOffline(app: App): Promise<void> {
   }
   // A browser that blocks them may say so by giving nothing.
   if (!registration) return;
+  followTakeOver(app);
   if (registration.waiting) tell(app, registration.waiting);
   registration.addEventListener('updatefound', () => {
     const next = registration.installing;
@@ -20,10 +21,28 @@ export async function workOffline(app: App): Promise<void> {
   });
 }
 
+/** Another tab took a new version over: this one goes on with its own, and says what it is. */
+function followTakeOver(app: App): void {
+  const { serviceWorker } = navigator;
+  // The first worker of all takes over a page of its own version.
+  let known = serviceWorker.controller !== null;
+  serviceWorker.addEventListener('controllerchange', () => {
+    if (known && !reloading)
+      app.actions.report('info', text.updated, [text.updatedHint], {
+        label: text.reload,
+        run: () => location.reload(),
+      });
+    known = true;
+  });
+}
+
+let reloading = false;
+
 function tell(app: App, next: ServiceWorker): void {
   app.actions.report('info', text.update, [text.updateHint], {
     label: text.reload,
     run() {
+      reloading = true;
       navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
       next.postMessage('take over');
     },

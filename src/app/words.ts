@@ -49,5 +49,8 @@ export const offlineText = {
   offlineTitle: 'No connection. The page goes on working with what is stored.',
   update: 'A new version is ready',
   updateHint: 'It is taken at your next visit, or now:',
+  updated: 'This page has a new version',
+  updatedHint:
+    'It was taken in another tab. This tab goes on as it is; reload it to have the new one. What you edited is kept.',
   reload: 'Reload',
 } as const;

@@ -23,8 +23,12 @@ worker.addEventListener('message', (event) => {
   if (event.data === 'take over') void worker.skipWaiting();
 });
 worker.addEventListener('fetch', (event) => {
-  const key = event.request.method === 'GET' ? storedKey(event.request.url) : null;
-  if (key) event.respondWith(answer(key, event.request));
+  if (event.request.method !== 'GET') return;
+  const { origin, pathname } = new URL(event.request.url);
+  const plain = origin + pathname;
+  if (!plain.startsWith(scope)) return;
+  const key = storedKey(plain);
+  event.respondWith(key ? answer(key, event.request) : answerOld(plain, event.request));
 });
 
 /** What is new is fetched; what neither this version nor the one in use needs goes. */
@@ -57,10 +61,7 @@ async function takeOver(): Promise<void> {
 }
 
 /** The page itself under either of its addresses, whatever is asked of it; files by their path. */
-function storedKey(address: string): string | null {
-  const url = new URL(address);
-  const plain = url.origin + url.pathname;
-  if (!plain.startsWith(scope)) return null;
+function storedKey(plain: string): string | null {
   const path = decodeURI(plain.slice(scope.length)) || 'index.html';
   const revision = files.get(path);
   return revision === undefined ? null : keyOf(path, revision);
@@ -69,4 +70,10 @@ function storedKey(address: string): string | null {
 async function answer(key: string, request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
   return (await cache.match(key)) ?? fetch(request);
+}
+
+/** A tab that still shows the version before asks for its files: they stay until the next one is stored. */
+async function answerOld(plain: string, request: Request): Promise<Response> {
+  const cache = await caches.open(CACHE);
+  return (await cache.match(plain, { ignoreSearch: true })) ?? fetch(request);
 }

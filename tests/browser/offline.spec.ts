@@ -1,5 +1,5 @@
 // After the first visit the page works without a connection, parts that are loaded later too.
-import { cpSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import type { Server } from 'node:http';
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
@@ -39,7 +39,10 @@ test('loaded once, the page opens, runs and shows every part without a connectio
   await expect(page.getByTestId('offline')).toHaveCount(0);
 });
 
-test('a new version says so, and is there after one press', async ({ page }, info) => {
+test('a new version says so, is there after one press, and a second tab goes on with the old one', async ({
+  page,
+  context,
+}, info) => {
   await withoutScene(page);
   // A host of its own, from the root this time, whose files change under the page.
   const folder = info.outputPath('host');
@@ -51,13 +54,21 @@ test('a new version says so, and is there after one press', async ({ page }, inf
   try {
     await page.goto(`http://127.0.0.1:${port}/`);
     await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller !== null)).toBe(true);
-    // The next build: another title, under another revision.
+    const second = await context.newPage();
+    await withoutScene(second);
+    await second.goto(`http://127.0.0.1:${port}/`);
+    await expect(second.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
+    // The next build: another title, under another revision, and a part that is called otherwise.
     const html = readFileSync(join(folder, 'index.html'), 'utf8').replace('<title>', '<title>Next ');
     writeFileSync(join(folder, 'index.html'), html);
     const worker = readFileSync(join(folder, 'offline.js'), 'utf8');
+    const part = readdirSync(join(folder, 'assets')).find((name) => /^methodsTool-.*\.js$/.test(name))!;
+    rmSync(join(folder, 'assets', part));
     writeFileSync(
       join(folder, 'offline.js'),
-      worker.replace(/(index\.html`?['"]?,[`'"])\w+/, (_, before: string) => `${before}0123456789abcdef`),
+      worker
+        .replace(/(index\.html`?['"]?,[`'"])\w+/, (_, before: string) => `${before}0123456789abcdef`)
+        .replace(new RegExp(`\\[[^[\\]]*${part.replaceAll('.', '\\.')}[^\\]]*\\],?`), ''),
     );
     expect(readFileSync(join(folder, 'offline.js'), 'utf8')).not.toBe(worker);
     await page.evaluate(async () => {
@@ -70,6 +81,12 @@ test('a new version says so, and is there after one press', async ({ page }, inf
     await expect(page).toHaveTitle('Next RipStik Lab');
     await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
     await expect(message).toHaveCount(0);
+    // The other tab is told what happened, and what it loads only now is still there.
+    await expect(second.getByTestId('message')).toContainText('This page has a new version');
+    await second.getByTestId('tool-methods').click();
+    await expect(second.getByTestId('methods-table')).toBeVisible();
+    await second.getByTestId('message').getByRole('button', { name: 'Reload' }).click();
+    await expect(second).toHaveTitle('Next RipStik Lab');
   } finally {
     server.closeAllConnections();
     server.close();

@@ -6,7 +6,7 @@ import type { Typeset } from '../../core/model/typeset.ts';
 import { loadTypeset } from '../../core/systems/registry.ts';
 import type { SystemView } from '../../core/model/system.ts';
 import { equations as words } from './words.ts';
-import { words as kit } from '../../ui/kit/words.ts';
+import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
 import { useUi } from '../../ui/context.ts';
 import { THIN } from '../../ui/kit/format.ts';
 import { useSlowTime } from '../../ui/slowTime.ts';
@@ -37,12 +37,7 @@ export function EquationsTool() {
         {words.none(view.meta.title)}
       </p>
     );
-  if (typeset?.system !== view.meta.id)
-    return (
-      <p class="hint pad" role={state === 'failed' ? 'alert' : 'status'}>
-        {state === 'failed' ? kit.failed : kit.loading}
-      </p>
-    );
+  if (typeset?.system !== view.meta.id) return <LoadingPart failed={state === 'failed'} />;
   return <Sections key={view.meta.id} view={view} typeset={typeset} />;
 }
 

@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { words } from './words.ts';
+import { LoadingPart } from './loadingPart.tsx';
 
 /** A component whose code is loaded when it is first shown, so that the first view need not wait for it. */
 export function later<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {
@@ -18,12 +18,6 @@ export function later<Props extends object>(load: () => Promise<ComponentType<Pr
         () => setFailed(true),
       );
     }, []);
-    return View ? (
-      <View {...props} />
-    ) : (
-      <p class="hint pad" role={failed ? 'alert' : 'status'}>
-        {failed ? words.failed : words.loading}
-      </p>
-    );
+    return View ? <View {...props} /> : <LoadingPart failed={failed} />;
   };
 }

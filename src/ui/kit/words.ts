@@ -8,4 +8,6 @@ export const words = {
   valueDown: 'Step down',
   loading: 'Loading',
   failed: 'This part could not be loaded; check the connection and open it again.',
+  outdated: 'This page has a new version, and this part belongs to the old one. What you edited is kept.',
+  reload: 'Reload',
 } as const;

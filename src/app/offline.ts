@@ -21,28 +21,31 @@ export async function workOffline(app: App): Promise<void> {
   });
 }
 
-/** Another tab took a new version over: this one goes on with its own, and says what it is. */
+/** The person has been told, and has a button for it. */
+let told = false;
+
+/** Another tab took a new version over: this one goes on with its own files, and says what it is. */
 function followTakeOver(app: App): void {
   const { serviceWorker } = navigator;
   // The first worker of all takes over a page of its own version.
-  let known = serviceWorker.controller !== null;
+  let before = serviceWorker.controller;
   serviceWorker.addEventListener('controllerchange', () => {
-    if (known && !reloading)
+    if (before && !told)
       app.actions.report('info', text.updated, [text.updatedHint], {
         label: text.reload,
         run: () => location.reload(),
       });
-    known = true;
+    before = serviceWorker.controller;
   });
 }
 
-let reloading = false;
-
 function tell(app: App, next: ServiceWorker): void {
+  told = true;
   app.actions.report('info', text.update, [text.updateHint], {
     label: text.reload,
     run() {
-      reloading = true;
+      // Another tab may have taken it meanwhile.
+      if (next.state === 'activated') return location.reload();
       navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
       next.postMessage('take over');
     },

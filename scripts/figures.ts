@@ -9,7 +9,7 @@ import { judgeMotion } from '../src/core/simulation/judge.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/all.ts';
 import { writeCsv } from '../src/csv/csv.ts';
-import { CsvByteReader } from '../src/csv/csvBytes.ts';
+import { CsvByteReader } from '../src/csv/reading/byteReader.ts';
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, s]) => [id, s.meta]));
 const ripstik = systems['ripstik']!;

@@ -1,7 +1,8 @@
-import { writeNumber } from './numbers.ts';
-import { CsvReader, type CsvOptions, type CsvResult } from './csvReader.ts';
+import { writeNumber } from './reading/numbers.ts';
+import { CsvReader, type CsvOptions, type CsvResult } from './reading/textReader.ts';
 
-export { CsvReader, type CsvIssue, type CsvOptions, type CsvResult } from './csvReader.ts';
+export { CsvReader, type CsvOptions, type CsvResult } from './reading/textReader.ts';
+export type { CsvIssue } from './reading/issues.ts';
 
 /** Rows joined into one piece of text; joining all at once would hold every line of a large run in memory twice. */
 const ROWS_PER_PIECE = 2000;

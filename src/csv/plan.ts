@@ -1,4 +1,4 @@
-import type { Kind } from './csvUnits.ts';
+import type { Kind } from './units/units.ts';
 
 /**
  * How a table of numbers is understood before its rows are read. `understand` makes a plan from the beginning of a file
@@ -35,6 +35,8 @@ export interface ImportChoices {
   time?: string | null;
   /** Unit of a time that has none, by name (`s`, `ms`, `us`, `ns`, `min`, `h`). */
   timeUnit?: string;
+  /** Of dates such as 3/4/2025. */
+  dateOrder?: 'day first' | 'month first';
   /** Seconds between rows (frames) where no time is read. */
   step?: number;
   /** Which of several runs in one file, from 1. */
@@ -44,16 +46,7 @@ export interface ImportChoices {
   rates?: RatesChoice;
 }
 
-export type QuestionId =
-  | 'time-step'
-  | 'time-unit'
-  | 'degrees'
-  | 'lengths'
-  | 'several-runs'
-  | 'date-order'
-  | 'quaternion-order'
-  | 'upward-axis'
-  | 'system';
+export type QuestionId = 'time-step' | 'time-unit' | 'degrees' | 'lengths' | 'several-runs' | 'date-order';
 
 /** Something that the file leaves open. An answer is read by merging its choices into those there are. */
 export interface Question {
@@ -128,6 +121,8 @@ export interface ImportPlan {
   questions: readonly Question[];
   /** What was decided that a person may want to know, a sentence each. */
   notes: readonly string[];
+  /** Columns that name again what another is. */
+  repeated: readonly { title: string; message: string }[];
   /** The first rows as cells, for a preview; at most 20. */
   preview: readonly (readonly string[])[];
   /** Files of the same shape have the same key: choices made for one hold for the others. */

@@ -237,7 +237,8 @@ describe('rows that cannot be used', () => {
     expect(times([0, 1, 1, 0.5, 2]).issues.map((i) => i.line)).toEqual([4, 5]);
     expect(columnOf(times([0, 1, 1e9, 2, 3]), 't')).toEqual([0, 1, 2, 3]);
     expect(times([0, 1, 1e9, 2, 3]).issues).toMatchObject([{ line: 4, column: 't' }]);
-    expect(columnOf(times([0, 1, 2, 0, 1, 2, 3]), 't')).toEqual([0, 1, 2, 3]);
+    // Two runs one after the other, not one with rows out of place.
+    expect(columnOf(times([0, 1, 2, 0, 1, 2, 3]), 't')).toEqual([0, 1, 2]);
   });
 
   test('lines are counted in every kind of line end and over quoted cells', () => {
@@ -251,7 +252,7 @@ describe('rows that cannot be used', () => {
   });
 
   test('the list is capped and counted', () => {
-    const result = motion(`${header}\n${good(0)}\n${'x\n'.repeat(1500)}`);
+    const result = motion(`${header}\n${good(0)}\n${Array.from({ length: 1500 }, (_, i) => `x${i}\n`).join('')}`);
     expect(result.skippedRows).toBe(1500);
     expect(result.issues).toHaveLength(1001);
     expect(result.issues.at(-1)).toEqual({ line: 0, column: '', message: 'and 500 more' });

@@ -5,7 +5,7 @@ import { cases } from '../../src/core/systems/registry.ts';
 import { compileExpression, ExpressionError } from '../../src/core/scenario/expressions.ts';
 import { parseScenario } from '../../src/core/scenario/schema.ts';
 import { ScenarioError } from '../../src/core/scenario/types.ts';
-import { CsvByteReader } from '../../src/csv/csvBytes.ts';
+import { CsvByteReader } from '../../src/csv/reading/byteReader.ts';
 import { checkMaterials, checkMesh, MeshError } from '../../src/scene/actors/meshText.ts';
 import { metas } from '../helpers.ts';
 import { awkward, damaged } from './damage.ts';

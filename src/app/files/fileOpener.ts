@@ -137,7 +137,7 @@ export class FileOpener {
     { scenario, judgement }: FileReading,
   ): void {
     const { stage, messages } = this.context;
-    const system = systemViews[result.systemId]!;
+    const system = systemViews[result.systemId ?? '']!;
     const trajectory = Trajectory.of(result.columns, result.data);
     trajectory.recorded = true;
     const shown = stage.motion.peek();

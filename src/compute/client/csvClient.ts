@@ -1,5 +1,6 @@
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { RemoteWorker, WorkerLost, type WorkerLike } from '../remote/remoteWorker.ts';
+import type { ImportChoices, Understanding } from '../../csv/plan.ts';
 import type { CsvCalls, FileReading } from '../services/csvTypes.ts';
 import { stopped } from './answer.ts';
 
@@ -9,6 +10,8 @@ const ROWS_PER_PART = 20_000;
 export interface ReadOptions {
   /** Of a file without times, s. */
   timeStep?: number | undefined;
+  /** What a person decided; with them, what names no system opens as data. */
+  choices?: ImportChoices | undefined;
   /** Share of the file read (0 to 1), and rows so far. */
   onProgress?: (share: number, rows: number) => void;
   signal?: AbortSignal;
@@ -29,14 +32,23 @@ export class CsvClient {
   }
 
   /** @returns null when it was cancelled */
-  async read(file: Blob, { timeStep, onProgress, signal }: ReadOptions = {}): Promise<FileReading | null> {
+  async read(file: Blob, { timeStep, choices, onProgress, signal }: ReadOptions = {}): Promise<FileReading | null> {
     const onEvent = onProgress && (({ share, rows }: { share: number; rows: number }) => onProgress(share, rows));
     try {
-      const reading = await this.worker.call('csv.read', { file, timeStep }, { onEvent, signal }).result;
+      const reading = await this.worker.call('csv.read', { file, timeStep, choices }, { onEvent, signal }).result;
       // It may have been read to its end before the worker heard that it was not wanted.
       return signal?.aborted ? null : reading;
     } catch (error) {
       if (signal?.aborted) return null;
+      throw plain(error);
+    }
+  }
+
+  /** What a file is understood as, from its beginning. */
+  async understand(file: Blob, choices?: ImportChoices): Promise<Understanding> {
+    try {
+      return await this.worker.call('csv.understand', { file, choices }).result;
+    } catch (error) {
       throw plain(error);
     }
   }

@@ -2,7 +2,7 @@ import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import { judgeMotion } from '../../core/simulation/judge.ts';
 import { csvHeader, csvRows, type CsvResult } from '../../csv/csv.ts';
-import { CsvByteReader } from '../../csv/csvBytes.ts';
+import { readStream, understandStream } from '../../csv/reading/stream.ts';
 import { Transferred, type Caller, type Handlers } from '../remote/serve.ts';
 import type { CsvCalls, FileReading, ReadProgress, ReadRequest } from './csvTypes.ts';
 import { systemOf } from './load.ts';
@@ -13,7 +13,7 @@ const REPORT_EVERY = 4e6;
 
 export const calls: Handlers<CsvCalls> = {
   async 'csv.read'(request, caller) {
-    const result = await readStream(request, caller);
+    const result = await readFile(request, caller);
     if (caller.signal.aborted) return null;
     if (result.kind !== 'motion') return { result, scenario: null, judgement: null };
     return new Transferred(
@@ -21,30 +21,32 @@ export const calls: Handlers<CsvCalls> = {
       result.data.map((column) => column.buffer as ArrayBuffer),
     );
   },
+  'csv.understand': ({ file, choices }) =>
+    understandStream(file.stream(), { systems: metas, data: true, ...(choices ? { choices } : {}) }),
   'csv.write': ({ heading, data }) =>
     new Blob([heading ? csvHeader(heading.columns, heading.comments) : '', ...csvRows(data)]),
 };
 
-/** Piece by piece: of the file itself no more is in memory than one piece. Between two pieces the mailbox is looked at. */
-async function readStream(
-  { file, timeStep }: ReadRequest,
+/** Between two pieces the mailbox is looked at. */
+async function readFile(
+  { file, timeStep, choices }: ReadRequest,
   { signal, emit }: Caller<ReadProgress, never>,
 ): Promise<CsvResult> {
-  const reader = new CsvByteReader({ systems: metas, ...(timeStep === undefined ? {} : { timeStep }) }, file.size);
-  const pieces = file.stream().getReader();
-  let [done, reported] = [0, 0];
-  for (;;) {
-    const { value } = await pieces.read();
-    if (!value || reader.ended || signal.aborted) break;
-    reader.push(value);
-    done += value.length;
-    if (done - reported < REPORT_EVERY) continue;
-    reported = done;
-    emit({ share: done / file.size, rows: reader.rows });
-    await new Promise((resume) => setTimeout(resume));
-  }
-  await pieces.cancel();
-  return reader.finish();
+  let reported = 0;
+  return readStream(file.stream(), {
+    systems: metas,
+    size: file.size,
+    ...(timeStep === undefined ? {} : { timeStep }),
+    ...(choices ? { choices, data: true } : {}),
+    after: async (bytes, rows) => {
+      if (bytes - reported < REPORT_EVERY) return signal.aborted;
+      reported = bytes;
+      // Unpacked there may be more of it than the file's size.
+      emit({ share: Math.min(1, bytes / file.size), rows });
+      await new Promise((resume) => setTimeout(resume));
+      return signal.aborted;
+    },
+  });
 }
 
 type Motion = Extract<CsvResult, { kind: 'motion' }>;

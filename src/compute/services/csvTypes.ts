@@ -1,9 +1,12 @@
 import type { Scenario } from '../../core/scenario/types.ts';
 import type { Judgement } from '../../core/simulation/judge.ts';
 import type { CsvResult } from '../../csv/csv.ts';
+import type { ImportChoices, Understanding } from '../../csv/plan.ts';
 import type { Call } from '../remote/protocol.ts';
 
 export interface CsvCalls {
+  /** What a file is understood as, from its beginning. */
+  'csv.understand': Call<{ file: Blob; choices?: ImportChoices | undefined }, Understanding>;
   /** Reads a file and judges its numbers. Aborted, it answers null after the piece under way. Columns are transferred. */
   'csv.read': Call<ReadRequest, FileReading | null, ReadProgress>;
   /** Some rows as text. */
@@ -14,6 +17,8 @@ export interface ReadRequest {
   file: Blob;
   /** Of a file without times, s. */
   timeStep?: number | undefined;
+  /** What a person decided of the file; with them (`{}` at least), what names no system opens as data. */
+  choices?: ImportChoices | undefined;
 }
 
 export interface ReadProgress {

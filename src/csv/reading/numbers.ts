@@ -15,11 +15,12 @@ export function writeNumber(x: number): string {
   return exponent < 0 ? text.slice(0, end) : text.slice(0, end) + text.slice(exponent);
 }
 
-const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
+const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)([ed][+-]?\d+)?$/i;
 
 /**
  * Value of a cell, or NaN for anything that is not a plain finite decimal number (blank, hexadecimal, infinite,
- * units, thousands separators). Accepts a minus sign as typeset.
+ * units, thousands separators). Accepts a minus sign as typeset,
+ * and Fortran's `D` before the exponent.
  */
 export function readNumber(text: string, decimalComma: boolean): number {
   const value = +text;
@@ -34,6 +35,6 @@ export function readNumber(text: string, decimalComma: boolean): number {
     if (clean.includes('.')) return NaN;
     clean = clean.replace(',', '.');
   }
-  const careful = PLAIN.test(clean) ? +clean : NaN;
+  const careful = PLAIN.test(clean) ? +clean.replace(/d/i, 'e') : NaN;
   return careful - careful === 0 ? careful : NaN;
 }

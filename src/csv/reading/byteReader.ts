@@ -1,5 +1,8 @@
-import { CsvReader, ENOUGH_TO_DECIDE, type CsvOptions, type CsvResult } from './csvReader.ts';
-import { LONGEST_LINE } from './csvText.ts';
+import { CsvReader, type CsvOptions, type CsvResult } from './textReader.ts';
+import { sniff } from '../containers/sniff.ts';
+import { encodingOf } from '../encoding/encoding.ts';
+import { LONGEST_LINE } from '../layout/lines.ts';
+import { ENOUGH_TO_DECIDE } from '../understand.ts';
 import { DecimalReader } from './decimal.ts';
 
 const [LF, CR, SPACE, QUOTE] = [10, 13, 32, 34] as const;
@@ -13,7 +16,9 @@ const NOTHING = new Uint8Array(0);
  * also decides what the columns mean. Either way gives the same result.
  */
 export class CsvByteReader {
-  private readonly reader: CsvReader;
+  private reader: CsvReader;
+  private readonly options: CsvOptions;
+  private refused: string | null = null;
   private readonly decimal = new DecimalReader();
   private decoder: TextDecoder | null = null;
   /** Bytes of a line that is not whole yet. */
@@ -26,6 +31,7 @@ export class CsvByteReader {
 
   /** @param size of the whole file in bytes, where it is known: room for its rows is then made at once */
   constructor(options: CsvOptions, size = 0) {
+    this.options = options;
     this.reader = new CsvReader(options);
     this.size = size;
   }
@@ -37,11 +43,11 @@ export class CsvByteReader {
 
   /** Nothing more will be used. */
   get ended(): boolean {
-    return this.reader.over;
+    return this.reader.over || this.refused !== null;
   }
 
   push(piece: Uint8Array): void {
-    if (this.reader.over || piece.length === 0) return;
+    if (this.ended || piece.length === 0) return;
     this.taken += piece.length;
     if (this.reader.rows > 0) this.reader.expect((1.02 * this.reader.rows * this.size) / this.taken);
     if (this.textOnly) return this.reader.push(this.decoder!.decode(piece, { stream: true }));
@@ -53,6 +59,7 @@ export class CsvByteReader {
   finish(): CsvResult {
     const { rest } = this;
     if (!this.decoder) this.take(rest);
+    if (this.refused !== null) return { kind: 'unusable', issues: [{ line: 0, column: '', message: this.refused }] };
     if (!this.textOnly) this.long(this.rest);
     this.reader.push(this.decoder!.decode());
     return this.reader.finish();
@@ -60,10 +67,15 @@ export class CsvByteReader {
 
   private take(bytes: Uint8Array): void {
     if (!this.decoder) {
-      const encoding = encodingOf(bytes);
+      const container = sniff(bytes);
+      if (container.kind === 'gzip') this.refused = 'this is a gzip archive; unpack it first';
+      if (container.kind === 'refused') this.refused = container.message;
+      const encoding = this.options.choices?.encoding ?? encodingOf(bytes);
+      if (encoding !== 'utf-8') this.reader = new CsvReader(this.options, encoding);
       this.decoder = new TextDecoder(encoding);
       this.textOnly = encoding !== 'utf-8';
     }
+    if (this.refused !== null) return;
     this.rest = NOTHING;
     if (this.textOnly) return this.long(bytes);
     const end = bytes.lastIndexOf(LF) + 1;
@@ -99,7 +111,6 @@ export class CsvByteReader {
     const { separator, width } = plan;
     if (this.values.length !== width) this.values = new Float64Array(width);
     const { values } = this;
-    decimal.pointed = false;
     let start = from;
     while (start < end) {
       let i = start;
@@ -117,23 +128,10 @@ export class CsvByteReader {
       }
       if (bytes[i] === CR) i++;
       if (bytes[i] !== LF) return start;
-      reader.numbers(values, decimal.pointed);
+      reader.numbers(values);
       start = i + 1;
     }
     return end;
-  }
-}
-
-/** By the byte order mark; text without one is UTF-8, or, where that fails, what Windows writes. */
-function encodingOf(start: Uint8Array): 'utf-8' | 'utf-16le' | 'utf-16be' | 'windows-1252' {
-  if (start[0] === 0xff && start[1] === 0xfe) return 'utf-16le';
-  if (start[0] === 0xfe && start[1] === 0xff) return 'utf-16be';
-  try {
-    // A character may be cut at the end of the sample.
-    new TextDecoder('utf-8', { fatal: true }).decode(start.subarray(0, SAMPLE), { stream: true });
-    return 'utf-8';
-  } catch {
-    return 'windows-1252';
   }
 }
 

@@ -7,8 +7,10 @@ const TIMES = new Map([
   ['ms', 1e-3],
   ['us', 1e-6],
   ['µs', 1e-6],
+  ['ns', 1e-9],
   ['min', 60],
   ['h', 3600],
+  ['d', 86400],
 ]);
 const LENGTHS = new Map([
   ['m', 1],
@@ -18,6 +20,8 @@ const LENGTHS = new Map([
   ['km', 1e3],
   ['in', 0.0254],
   ['ft', 0.3048],
+  ['µm', 1e-6],
+  ['um', 1e-6],
 ]);
 const ANGLES = new Map([
   ['rad', 1],
@@ -25,7 +29,15 @@ const ANGLES = new Map([
   ['deg', degree],
   ['°', degree],
   ['rev', 2 * Math.PI],
+  ['turn', 2 * Math.PI],
+  ['gon', Math.PI / 200],
 ]);
+/** Of what no coordinate measures: known as units, so that a row or the end of a title is seen to be one. */
+const OTHERS = new Set(
+  'kg g mg lb v mv a ma w kw hz khz k °c °f % pa kpa bar t µt ut gauss px counts count m/s2 m/s^2 m/s² mm/s2 mm/s^2 mm/s² rad/s2 rad/s^2 rad/s² deg/s2 deg/s^2 deg/s² °/s2 °/s² nm/rad ns n·s kn lbf quat frames'.split(
+    ' ',
+  ),
+);
 /** Forces, torques and energies: SI only, there is nothing to convert. */
 const PLAIN = new Map([
   ['n', 1],
@@ -76,8 +88,35 @@ function spelledPlainly(unit: string): string {
     .replace(/μ/g, 'µ')
     .replace(/\s*(?:[·*]|\s)\s*s(?:\^?-1|⁻¹)$/, '/s')
     .replace(/\s*(?:\/|\bper\b)\s*/, '/')
-    .replace(/degrees?|º/g, 'deg')
-    .replace(/radians?/g, 'rad')
-    .replace(/\b(?:seconds?|secs?)\b/g, 's')
-    .replace(/\b(?:metres?|meters?)\b/g, 'm');
+    .replace(/degrees?|degrés?|grados?|gradi|º/g, 'deg')
+    .replace(/radians?|radiant|radiants?|radianes|radianti/g, 'rad')
+    .replace(/\b(?:seconds?|secs?|sekunden?|secondes?|segundos?|secondi)\b/g, 's')
+    .replace(/\b(?:milliseconds?|millis|msecs?|millisekunden?)\b/g, 'ms')
+    .replace(/\b(?:microseconds?|micros|usecs?)\b/g, 'us')
+    .replace(/\b(?:nanoseconds?|nanos|nsecs?)\b/g, 'ns')
+    .replace(/\b(?:minutes?|mins|minuten)\b/g, 'min')
+    .replace(/\b(?:hours?|hrs?|stunden?)\b/g, 'h')
+    .replace(/\bdays?\b/g, 'd')
+    .replace(/\b(?:millimet(?:re|er)s?)\b/g, 'mm')
+    .replace(/\b(?:centimet(?:re|er)s?)\b/g, 'cm')
+    .replace(/\b(?:kilomet(?:re|er)s?)\b/g, 'km')
+    .replace(/\b(?:metres?|meters?|mètres?|metros?|metri)\b/g, 'm')
+    .replace(/\b(?:inch(?:es)?)\b/g, 'in')
+    .replace(/\b(?:foot|feet)\b/g, 'ft')
+    .replace(/\b(?:turns|revs?|revolutions?|umdrehung(?:en)?)\b/g, 'rev');
+}
+
+/** Whether text is the unit of anything. */
+export function isUnit(text: string): boolean {
+  const plain = spelledPlainly(text.replace(/^[[({<](.*)[\])}>]$/, '$1'));
+  if (plain === '' || plain.length > 12) return false;
+  if (OTHERS.has(plain)) return true;
+  return KINDS.some((kind) => plain !== '-' && plain !== '1' && factorOf(plain, kind) !== undefined);
+}
+
+const KINDS: readonly Kind[] = ['time', 'length', 'angle', 'length rate', 'angle rate', 'plain'];
+
+/** What a unit measures, or null for one that no coordinate has. */
+export function kindOf(unit: string): Kind | null {
+  return KINDS.find((kind) => factorOf(unit, kind) !== undefined) ?? null;
 }

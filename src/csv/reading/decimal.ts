@@ -26,8 +26,6 @@ const decoder = new TextDecoder();
 export class DecimalReader {
   /** After `read`: the first byte that does not belong to the number. */
   at = 0;
-  /** Whether a number so far had a decimal point. */
-  pointed = false;
 
   /**
    * A number that begins at `from`: `[+-] digits [. digits] [e [+-] digits]`, ended by any other byte.
@@ -73,7 +71,6 @@ export class DecimalReader {
       if (negative) exponent = -exponent;
     }
     this.at = i;
-    this.pointed ||= point;
     if (!any) return NaN;
     const value = digits > MOST_DIGITS ? NaN : nearest(high, low, lowDigits, exponent - scale);
     if (value !== value) {

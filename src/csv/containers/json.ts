@@ -1,0 +1,82 @@
+/**
+ * A table in JSON as CSV text: an array of records, a record of arrays, `{columns, data}` (pandas, "split"), or one
+ * record a line. What is nested gets dotted names. Null for JSON that is no table.
+ */
+export function jsonTable(text: string): string | null {
+  const records = recordsOf(text.replace(/^\ufeff/, '').trim());
+  if (!records || records.length === 0) return null;
+  const names = new Map<string, number>();
+  const rows = records.map((record) => {
+    const flat = new Map<string, unknown>();
+    flatten(record, '', flat, 0);
+    for (const name of flat.keys()) if (!names.has(name)) names.set(name, names.size);
+    return flat;
+  });
+  if (names.size === 0) return null;
+  const order = [...names.keys()];
+  const lines = rows.map((row) => order.map((name) => cell(row.get(name))).join(','));
+  return [order.map(quoted).join(','), ...lines].join('\n') + '\n';
+}
+
+type Json = Record<string, unknown>;
+const isRecord = (value: unknown): value is Json =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+/** Deeper records are no row of a table. */
+const DEEPEST = 6;
+
+function recordsOf(text: string): unknown[] | null {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return linesOf(text);
+  }
+  if (Array.isArray(value)) return value.every((row) => isRecord(row) || Array.isArray(row)) ? value : null;
+  if (!isRecord(value)) return null;
+  const { columns, data } = value as { columns?: unknown; data?: unknown };
+  if (Array.isArray(columns) && Array.isArray(data))
+    return data.map((row) => Object.fromEntries(columns.map((name, i) => [String(name), (row as unknown[])?.[i]])));
+  const arrays = Object.entries(value).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
+  const [first] = arrays;
+  if (!first) return null;
+  if (arrays.length === 1 && first[1].every(isRecord)) return first[1];
+  const length = first[1].length;
+  if (arrays.some(([, values]) => values.length !== length)) return null;
+  return Array.from({ length }, (_, i) => Object.fromEntries(arrays.map(([name, values]) => [name, values[i]])));
+}
+
+/** JSON lines; a last line that is cut off is left out. */
+function linesOf(text: string): unknown[] | null {
+  const records: unknown[] = [];
+  const lines = text.split(/\r?\n/).filter((line) => line.trim() !== '');
+  for (const [i, line] of lines.entries()) {
+    try {
+      const value: unknown = JSON.parse(line);
+      if (!isRecord(value) && !Array.isArray(value)) return null;
+      records.push(value);
+    } catch {
+      if (i < lines.length - 1 || i === 0) return null;
+    }
+  }
+  return records;
+}
+
+function flatten(value: unknown, name: string, into: Map<string, unknown>, depth: number): void {
+  if (typeof value !== 'object' || value === null || depth > DEEPEST) {
+    into.set(name || 'value', value);
+    return;
+  }
+  for (const [key, inner] of Object.entries(value)) flatten(inner, name ? `${name}.${key}` : key, into, depth + 1);
+}
+
+function cell(value: unknown): string {
+  if (typeof value === 'number') return String(value);
+  if (typeof value === 'boolean') return value ? '1' : '0';
+  if (value === undefined || value === null) return '';
+  return quoted(typeof value === 'string' ? value : JSON.stringify(value));
+}
+
+function quoted(text: string): string {
+  const line = text.replace(/[\r\n]+/g, ' ');
+  return /[",#]|^\s|\s$/.test(line) ? `"${line.replace(/"/g, '""')}"` : line;
+}

@@ -1,0 +1,34 @@
+import Papa from 'papaparse';
+import type { Separator } from '../plan.ts';
+import { clockSeconds, dateDays } from '../time/clock.ts';
+import { readNumber } from '../reading/numbers.ts';
+import { isMissing } from './errors.ts';
+
+/** Longer cells are no numbers and no names. */
+const LONGEST = 64;
+
+/** The cells of one line; quotes are papaparse's. */
+export function cellsOf(line: string, separator: Separator): string[] {
+  if (separator === 'blanks') return blankCells(line);
+  if (!line.includes('"')) return line.split(separator);
+  return Papa.parse<string[]>(line, { delimiter: separator, newline: '\n' }).data[0] ?? [''];
+}
+
+/** Runs of spaces and tabs separate; quotes hold a name together. */
+export function blankCells(line: string): string[] {
+  const text = line.trim();
+  if (!text.includes('"')) return text.split(/[ \t\u00a0]+/);
+  return (text.match(/"[^"]*"|[^\s"]+/g) ?? []).map((cell) => cell.replace(/^"(.*)"$/, '$1'));
+}
+
+/** What one cell of a table can be. */
+export type CellForm = 'number' | 'time' | 'missing' | 'text';
+
+export function formOf(cell: string, decimalComma: boolean): CellForm {
+  if (cell.length > LONGEST) return 'text';
+  const text = cell.trim();
+  if (isMissing(text)) return 'missing';
+  if (!Number.isNaN(readNumber(text, decimalComma))) return 'number';
+  if (clockSeconds(text) !== null || dateDays(text) !== null) return 'time';
+  return 'text';
+}

@@ -1,0 +1,254 @@
+import type { ImportChoices, Separator } from '../plan.ts';
+import { isUnit } from '../units/units.ts';
+import { cellsOf, formOf } from './cells.ts';
+import { isMissing } from './errors.ts';
+import { isComment, recordLength, COMMENT } from './records.ts';
+import { propertiesOf, type Property } from './preamble.ts';
+import { hasThousands, marksOf } from './separator.ts';
+
+/** Where the table of a file begins, and what stands above it. */
+export interface Layout {
+  separator: Separator;
+  decimal: '.' | ',';
+  headerLines: number[];
+  unitsLine: number | null;
+  firstRow: number;
+  width: number;
+  /** Cells of the names' line, null without one. */
+  titles: string[] | null;
+  /** Names of the groups a column stands in, outermost first. */
+  groups: string[][];
+  units: string[] | null;
+  comments: string[];
+  properties: Property[];
+  /** Cells of the first rows of numbers. */
+  rows: string[][];
+}
+
+interface Line {
+  number: number;
+  text: string;
+  comment: boolean;
+  cells: string[];
+}
+
+/** Rows of a sample that are kept as cells. */
+const MOST_ROWS = 1000;
+/** Lines that may stand between the header and the first whole row. */
+const REACH = 60;
+
+/**
+ * @param text whole lines of a file's beginning
+ * @param names whether cells name columns: how many of them
+ * @returns null where there is no row and no header
+ */
+export function layoutOf(
+  text: string,
+  choices: ImportChoices,
+  names: (cells: readonly string[]) => number,
+): Layout | null {
+  const all = linesOf(text);
+  const told = /^["']?sep=(.)["']?\s*$/i.exec(all[0]?.text ?? '');
+  if (told) all[0]!.text = '';
+  const plain = all.filter((line) => !line.comment && line.text.trim() !== '');
+  if (plain.length === 0) return null;
+  const marks = marksOf(
+    plain.map((line) => line.text),
+    { ...(told ? { separator: told[1] as Separator } : {}), ...choices },
+  );
+  const { separator, decimal } = marks;
+  const lines: Line[] = plain.map((line) => ({ ...line, cells: cellsOf(line.text, separator) }));
+  const first = firstRowOf(lines, decimal === ',');
+  const header = headerOf(lines, first, choices, names);
+  const commented =
+    header < 0 && choices.headerLine === undefined ? commentedHeader(all, lines, first, separator, names) : null;
+  const body = header >= 0 ? header + 1 : Math.max(first, 0);
+  const titles = header >= 0 ? [...lines[header]!.cells] : (commented?.cells ?? null);
+  let next = body;
+  const headerLines = header >= 0 ? [lines[header]!.number] : commented ? [commented.number] : [];
+  let units: string[] | null = null;
+  let unitsLine: number | null = null;
+  if (titles)
+    for (; next < lines.length && next < body + 3; next++) {
+      const { cells, number } = lines[next]!;
+      if (!units && isUnitsRow(cells)) [units, unitsLine] = [cells, number];
+      else if (fillsTitles(cells, titles)) headerLines.push(number);
+      else break;
+    }
+  const rows = lines.slice(next, next + MOST_ROWS).map((line) => line.cells);
+  if (rows.length === 0 && !titles) return null;
+  const width = titles ? widthWith(titles, rows) : trimmed(lines[next]!.cells);
+  const groups = titles && header > 0 ? groupsOf(lines, header, titles, headerLines) : [];
+  const above = all.filter((line) => line.number < (lines[next]?.number ?? Infinity));
+  const used = new Set([...headerLines, unitsLine]);
+  return {
+    ...marks,
+    headerLines: headerLines.sort((a, b) => a - b),
+    unitsLine,
+    firstRow: lines[next]?.number ?? (lines.at(-1)?.number ?? 0) + 1,
+    width,
+    titles,
+    groups,
+    units,
+    comments: [...new Set(all.filter((l) => l.comment).map((l) => COMMENT.exec(l.text)![2]!))],
+    properties: propertiesOf(
+      above
+        .filter((line) => !used.has(line.number))
+        .map((line) => ({ text: line.text, cells: line.comment ? [] : cellsOf(line.text, separator) })),
+    ),
+    rows,
+  };
+}
+
+/** Lines with their numbers; a quoted cell may hold line ends. */
+function linesOf(text: string): { number: number; text: string; comment: boolean }[] {
+  const raw = text.split('\n');
+  if (!text.includes('"')) return raw.map((line, i) => ({ number: i + 1, text: line, comment: isComment(line) }));
+  const lines: { number: number; text: string; comment: boolean }[] = [];
+  for (let i = 0; i < raw.length;) {
+    const comment = isComment(raw[i]!);
+    const length = comment ? 1 : recordLength(raw, i);
+    lines.push({ number: i + 1, text: raw.slice(i, i + length).join('\n'), comment });
+    i += length;
+  }
+  return lines;
+}
+
+/** Cells without the empty ones at the end. */
+function trimmed(cells: readonly string[]): number {
+  let width = cells.length;
+  while (width > 1 && cells[width - 1]!.trim() === '') width--;
+  return width;
+}
+
+/** R's tables have one title less than columns: the first holds the rows' names. */
+function widthWith(titles: string[], rows: readonly string[][]): number {
+  const longer = rows.filter((row) => row.length === titles.length + 1 && row.at(-1)!.trim() !== '').length;
+  if (rows.length > 0 && longer === rows.length && titles.every((title) => title.trim() !== '')) titles.unshift('');
+  return titles.length;
+}
+
+/** Index of the first line that is a row of the table: most of its cells are numbers, and it is as wide as most rows. */
+function firstRowOf(lines: readonly Line[], comma: boolean): number {
+  const forms = lines.map(({ cells }) => {
+    let [numbers, others] = [0, 0];
+    for (const cell of cells) {
+      const form = formOf(cell, comma);
+      if (form === 'number' || form === 'time' || hasThousands(cell)) numbers++;
+      else if (form === 'text' || (form === 'missing' && /^[a-z]/i.test(cell.trim()) && cell.trim().length === 0))
+        others++;
+    }
+    return { row: numbers > 0 && numbers >= others, width: trimmed(cells), text: formOf(cells[0]!, comma) === 'text' };
+  });
+  const widths = new Map<number, number>();
+  for (const { row, width } of forms) if (row) widths.set(width, (widths.get(width) ?? 0) + width);
+  const width = [...widths].sort((a, b) => b[1] - a[1])[0]?.[0];
+  const own = forms.filter((form) => form.row && form.width === width);
+  // Lines of a name and a number stand above a table of two columns.
+  const texts = own.filter((form) => form.text).length > own.length / 2;
+  return forms.findIndex((form) => form.row && form.width === width && form.text === texts);
+}
+
+/** Index of the line with the names, or -1. */
+function headerOf(
+  lines: readonly Line[],
+  first: number,
+  choices: ImportChoices,
+  names: (cells: readonly string[]) => number,
+): number {
+  if (choices.headerLine !== undefined) return lines.findIndex((line) => line.number === choices.headerLine);
+  const from = first < 0 ? Math.min(lines.length, REACH) : first;
+  let best = { index: -1, hits: 0 };
+  for (let i = Math.min(from, lines.length - 1); i >= Math.max(0, from - REACH); i--) {
+    const hits = names(lines[i]!.cells);
+    // The first row itself may be one: numbers as titles beside a name.
+    if (i === first && (hits === 0 || lines[i]!.cells.filter((cell) => formOf(cell, false) === 'number').length > hits))
+      continue;
+    if (hits > best.hits) best = { index: i, hits };
+  }
+  if (best.index >= 0) return best.index;
+  if (first < 0) return 0;
+  // No name is known: the nearest line of words that is as wide.
+  const width = trimmed(lines[first]!.cells);
+  for (let i = first - 1; i >= Math.max(0, first - 4); i--) {
+    const { cells } = lines[i]!;
+    if (isUnitsRow(cells)) continue;
+    if (Math.abs(trimmed(cells) - width) <= 1 && cells.filter((c) => formOf(c, false) === 'text').length * 2 >= width)
+      return i;
+  }
+  return -1;
+}
+
+/** numpy.savetxt writes its header as a comment. */
+function commentedHeader(
+  all: readonly { number: number; text: string; comment: boolean }[],
+  lines: readonly Line[],
+  first: number,
+  separator: Separator,
+  names: (cells: readonly string[]) => number,
+): { number: number; cells: string[] } | null {
+  const row = lines[first];
+  if (!row) return null;
+  const width = trimmed(row.cells);
+  for (const line of all
+    .filter((l) => l.comment && l.number < row.number)
+    .reverse()
+    .slice(0, REACH)) {
+    const text = line.text
+      .replace(COMMENT, '')
+      .replace(/["',;\t]*$/, '')
+      .trim();
+    for (const by of [separator, ',', 'blanks', '\t', ';'] as const) {
+      const cells = cellsOf(text, by);
+      if (cells.length === width && names(cells) > 0) return { number: line.number, cells };
+    }
+  }
+  return null;
+}
+
+/** A row of units under the names: nothing but units, and one of them a real one. */
+export function isUnitsRow(cells: readonly string[]): boolean {
+  const filled = cells.map((cell) => cell.trim()).filter((cell) => cell !== '' && !/^[-–—1]$/.test(cell));
+  return (
+    filled.length > 0 &&
+    filled.every(
+      (cell) => isUnit(cell) || /^[[(]?(?:dimensionless|none|text|bool|unitless|quat)?[\])]?$/i.test(cell),
+    ) &&
+    filled.some(isUnit)
+  );
+}
+
+/** pandas writes an index's name in a line of its own: it fills gaps of the titles. */
+function fillsTitles(cells: readonly string[], titles: string[]): boolean {
+  const filled = cells.flatMap((cell, i) => (cell.trim() === '' ? [] : [i]));
+  const fits =
+    filled.length > 0 && filled.every((i) => (titles[i] ?? 'x').trim() === '' && formOf(cells[i]!, false) === 'text');
+  if (fits) for (const i of filled) titles[i] = cells[i]!;
+  return fits;
+}
+
+/** Lines above names that occur more than once: each name of a group holds to the right until the next. */
+function groupsOf(
+  lines: readonly Line[],
+  header: number,
+  titles: readonly string[],
+  headerLines: number[],
+): string[][] {
+  const filled = titles.map((t) => t.trim().toLowerCase()).filter((t) => t !== '');
+  if (new Set(filled).size === filled.length) return [];
+  const groups: string[][] = [];
+  for (let i = header - 1; i >= Math.max(0, header - 6); i--) {
+    const { cells, number } = lines[i]!;
+    if (
+      Math.abs(cells.length - titles.length) > 2 ||
+      cells.length < 3 ||
+      (cells[0]!.trim() !== '' && i === 0 && cells.length !== titles.length)
+    )
+      break;
+    let held = '';
+    const group = titles.map((_, column) => (held = isMissing(cells[column] ?? '') ? held : cells[column]!.trim()));
+    if (new Set(group.filter((g) => g !== '')).size > 1) groups.unshift(group);
+    headerLines.push(number);
+  }
+  return groups;
+}

@@ -1,0 +1,133 @@
+import type { SystemMeta } from '../../core/model/system.ts';
+import { factorOf, type Kind } from '../units/units.ts';
+import { splitTitle, unitBehind } from '../units/titles.ts';
+import { plainName, ratesOf, withoutPrefix } from './plainName.ts';
+import { isDateName, isFrameName, timeRank } from '../time/timeNames.ts';
+
+export type Systems = Readonly<Record<string, SystemMeta>>;
+
+export interface Word {
+  name: string;
+  kind: Kind;
+  needed: boolean;
+}
+
+/** Names a column can have in a system. */
+export interface Vocabulary {
+  words: ReadonlyMap<string, Word>;
+  /** Other names for its coordinates, which give way to their own. */
+  aliases: ReadonlyMap<string, Word>;
+}
+
+export interface Hit {
+  word: Word;
+  unit: string;
+  /** The surer, the lower: own name, name with a unit behind it, other name, rate, name behind a prefix. */
+  rank: number;
+}
+
+/** Which coordinates a system's attitude is: it has yaw, pitch, roll by these names, or a heading alone, or none. */
+export function attitudeOf(meta: SystemMeta): { yaw: string; pitch: string | null; roll: string | null } | null {
+  const has = (name: string): boolean => meta.coordinates.some((q) => q.name === name && q.kind === 'angle');
+  const plane = meta.coordinates.filter((q) => /^[xy]$/i.test(q.name)).length === 2;
+  if (has('yaw')) return { yaw: 'yaw', pitch: has('pitch') ? 'pitch' : null, roll: has('roll') ? 'roll' : null };
+  if (!plane || !has('theta')) return null;
+  const spatial = has('alpha') && has('psi');
+  return { yaw: 'theta', pitch: spatial ? 'psi' : null, roll: spatial ? 'alpha' : null };
+}
+
+const HEADINGS = [
+  'yaw',
+  'heading',
+  'hdg',
+  'yawangle',
+  'headingangle',
+  'gier',
+  'gierwinkel',
+  'cap',
+  'lacet',
+  'rz',
+  'rotz',
+  'eulerz',
+  'rotationz',
+];
+const PITCHES = ['pitch', 'pitchangle', 'nick', 'nickwinkel', 'tangage', 'ry', 'roty', 'eulery'];
+const ROLLS = ['roll', 'rollangle', 'rollwinkel', 'roulis', 'rx', 'rotx', 'eulerx', 'bank'];
+const POSITIONS = ['pos', 'position', 'p', 't', 'translation', 'coord', 'location', 'loc'];
+
+const known = new WeakMap<SystemMeta, Vocabulary>();
+
+export function vocabularyOf(meta: SystemMeta): Vocabulary {
+  const old = known.get(meta);
+  if (old) return old;
+  const words = new Map<string, Word>();
+  const add = (written: string, name: string, kind: Kind, needed: boolean, to = words): void => {
+    const plain = plainName(written);
+    if (!to.has(plain)) to.set(plain, { name, kind, needed });
+  };
+  for (const q of meta.coordinates) add(q.name, q.name, q.kind, true);
+  for (const q of meta.coordinates) add(`${q.name}_dot`, `${q.name}_dot`, `${q.kind} rate`, true);
+  for (let i = 1; i <= 2 * meta.coordinates.length; i++) add(`lambda_${i}`, `lambda_${i}`, 'plain', false);
+  for (const other of ['energy', 'residual', 'kinetic', 'potential', ...meta.inputs.map((i) => i.name)])
+    add(other, other, 'plain', false);
+  for (const q of meta.coordinates) add(`f_${q.name}`, `f_${q.name}`, 'plain', false);
+  const aliases = new Map<string, Word>();
+  const attitude = attitudeOf(meta);
+  for (const [name, others] of [
+    [attitude?.yaw, HEADINGS],
+    [attitude?.pitch, PITCHES],
+    [attitude?.roll, ROLLS],
+  ] as const)
+    if (name) for (const other of others) add(other, name, 'angle', true, aliases);
+  for (const q of meta.coordinates.filter(({ name, kind }) => kind === 'length' && /^[xyz]$/i.test(name)))
+    for (const position of POSITIONS) {
+      add(position + q.name, q.name, 'length', true, aliases);
+      if (position.length > 1) add(q.name + position, q.name, 'length', true, aliases);
+    }
+  const made = { words, aliases };
+  known.set(meta, made);
+  return made;
+}
+
+/** What a title means in a system, or null. */
+export function lookUp(title: string, vocabulary: Vocabulary): Hit | null {
+  const { name, unit } = splitTitle(title);
+  return named(name, unit, vocabulary, 0);
+}
+
+function named(name: string, unit: string, vocabulary: Vocabulary, rank: number): Hit | null {
+  const { words, aliases } = vocabulary;
+  const own = words.get(plainName(name));
+  if (own) return { word: own, unit, rank };
+  const other = aliases.get(plainName(name));
+  if (other) return { word: other, unit, rank: rank + 2 };
+  for (const base of ratesOf(name)) {
+    const of = words.get(plainName(base)) ?? aliases.get(plainName(base));
+    const rate = of && words.get(plainName(`${of.name}_dot`));
+    if (rate) return { word: rate, unit, rank: rank + 3 };
+  }
+  const behind = unit === '' ? unitBehind(name) : null;
+  if (behind) {
+    const hit = named(behind.name, behind.unit, vocabulary, rank + 1);
+    if (hit && factorOf(behind.unit, hit.word.kind) !== undefined) return hit;
+  }
+  const last = rank < 10 ? withoutPrefix(name) : null;
+  return last ? named(last, unit, vocabulary, rank + 10) : null;
+}
+
+/** How many of some cells name columns: those of the system that knows most of them, and times. */
+export function namesColumns(cells: readonly string[], systems: Systems): number {
+  const titles = cells
+    .map((cell) => cell.trim())
+    .filter((cell) => cell !== '' && cell.length < 80 && !/^[+-]?[\d.,]+$/.test(cell));
+  const times = titles.filter((title) => {
+    const name = splitTitle(title).name;
+    return timeRank(unitBehind(name)?.name ?? name) !== null || isDateName(name) || isFrameName(name);
+  }).length;
+  let most = 0;
+  for (const meta of Object.values(systems)) {
+    const vocabulary = vocabularyOf(meta);
+    most = Math.max(most, titles.filter((title) => lookUp(title, vocabulary) !== null).length);
+  }
+  return most + times;
+}

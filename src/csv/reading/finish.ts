@@ -1,0 +1,110 @@
+import type { SystemMeta } from '../../core/model/system.ts';
+import { attitudeOf } from '../names/vocabulary.ts';
+import type { ImportChoices, ImportPlan, Question } from '../plan.ts';
+import { orderOf } from '../time/order.ts';
+import { doubtsOf } from '../units/doubts.ts';
+import { anglesOf, unwrap } from './angles.ts';
+import type { RowStore } from './rows.ts';
+import type { CsvResult } from './textReader.ts';
+
+export interface Finishing {
+  choices: ImportChoices;
+  /** JSON of a scenario in the comments, or null. */
+  scenario: unknown;
+  notes: string[];
+  system: SystemMeta | null;
+}
+
+/** Rows in order of time, attitudes as angles, angles without seams: what is left to do once all rows are there. */
+export function finishMotion(
+  store: RowStore,
+  plan: ImportPlan,
+  { choices, scenario, notes, system }: Finishing,
+): CsvResult {
+  const { runs } = inOrder(store, choices, notes);
+  let columns = store.uses.map((use) => use.name);
+  let data = store.columns();
+  if (system && plan.columns.some((c) => c.role === 'quaternion')) [columns, data] = withAngles(columns, data, system);
+  // A computed angle is what it is; a recorded one may be within a turn.
+  if (scenario === null) unwrapped(columns, data, plan, system, notes);
+  if (store.rows === 1) notes.push('one usable row only: it is shown as a still picture');
+  return {
+    kind: 'motion',
+    systemId: plan.system,
+    columns,
+    data,
+    rows: store.rows,
+    skippedRows: store.skipped,
+    issues: store.sortedIssues(),
+    notes,
+    questions: questionsOf(plan, columns, data, scenario !== null, runs),
+    plan,
+    scenario,
+  };
+}
+
+function inOrder(store: RowStore, choices: ImportChoices, notes: string[]): { runs: number[] } {
+  const data = store.columns();
+  const same = (a: number, b: number): boolean => data.every((column, c) => c === 0 || Object.is(column[a], column[b]));
+  const order = orderOf(data[0]!, same, choices.run);
+  const title = store.uses[0]!.title;
+  for (const { row, message } of order.dropped) store.skip(store.lineOf(row), title, message);
+  notes.push(...order.notes);
+  if (order.rows) store.reorder(order.rows);
+  return order;
+}
+
+/** Puts the system's angles in place of a quaternion's four columns. */
+function withAngles(names: string[], data: Float64Array[], system: SystemMeta): [string[], Float64Array[]] {
+  const attitude = attitudeOf(system)!;
+  const part = (name: string): Float64Array => data[names.indexOf(name)]!;
+  const made = [0, 1, 2].map(() => new Float64Array(data[0]!.length)) as [Float64Array, Float64Array, Float64Array];
+  anglesOf([part('qx'), part('qy'), part('qz'), part('qw')], ...made);
+  const columns = new Map(names.flatMap((name, i) => (/^q[xyzw]$/.test(name) ? [] : [[name, data[i]!] as const])));
+  for (const [i, name] of [attitude.yaw, attitude.pitch, attitude.roll].entries())
+    if (name !== null && !columns.has(name)) columns.set(name, made[i]!);
+  const canon = ['t', ...system.coordinates.map((q) => q.name)];
+  const rank = (name: string): number => (canon.includes(name) ? canon.indexOf(name) : canon.length);
+  const order = [...columns.keys()].sort((a, b) => rank(a) - rank(b));
+  return [order, order.map((name) => columns.get(name)!)];
+}
+
+function unwrapped(
+  columns: readonly string[],
+  data: readonly Float64Array[],
+  plan: ImportPlan,
+  system: SystemMeta | null,
+  notes: string[],
+): void {
+  const angles = new Set(
+    plan.columns.filter((c) => c.kind === 'angle' && (system !== null || c.unit !== '')).map((c) => c.name),
+  );
+  const turned = columns.filter((name, c) => angles.has(name) && unwrap(data[c]!) > 0);
+  if (turned.length > 0) notes.push(`${turned.join(', ')}: jumps of a whole turn are taken out`);
+}
+
+/** What the first rows left open, with what all rows show of it. */
+function questionsOf(
+  plan: ImportPlan,
+  columns: readonly string[],
+  data: readonly Float64Array[],
+  known: boolean,
+  runs: readonly number[],
+): Question[] {
+  const questions = plan.questions.filter((q) => q.id !== 'degrees' && q.id !== 'lengths');
+  if (plan.system !== null && !known) {
+    const unsaid = plan.columns
+      .filter((c) => c.role === 'coordinate' && c.unit === '' && c.unitFrom === 'none')
+      .map((c) => ({ name: c.name!, kind: c.kind as 'length' | 'angle', data: data[columns.indexOf(c.name!)]! }));
+    questions.push(...doubtsOf(unsaid, data[0]!));
+  }
+  if (runs.length > 1)
+    questions.push({
+      id: 'several-runs',
+      text: `The file holds ${runs.length} runs: which one?`,
+      answers: runs.slice(0, 20).map((_, i) => ({ label: `run ${i + 1}`, choices: { run: i + 1 } })),
+      safest: 0,
+      first: false,
+    });
+  return questions;
+}

@@ -1,0 +1,164 @@
+import { unpacked } from '../containers/gzip.ts';
+import { jsonTable } from '../containers/json.ts';
+import { sniff } from '../containers/sniff.ts';
+import type { Understanding } from '../plan.ts';
+import { ENOUGH_TO_DECIDE, understand, understandText, type UnderstandOptions } from '../understand.ts';
+import { CsvByteReader } from './byteReader.ts';
+import { CsvReader, type CsvOptions, type CsvResult } from './textReader.ts';
+
+export type Bytes = ReadableStream<Uint8Array<ArrayBuffer>>;
+
+/** JSON is read as a whole: more of it would not be held. */
+const LARGEST_JSON = 300e6;
+/** Bytes by which a container is known. */
+const ENOUGH_TO_KNOW = 512;
+const NO_TABLE =
+  'this JSON holds no table; right would be an array of records, [{"t": 0, "x": 0}, …], one record a line, or arrays by name';
+
+export interface StreamOptions extends CsvOptions {
+  /** Of the file in bytes, where it is known. */
+  size?: number;
+  /** After each piece: bytes and rows so far. True: no more is wanted. */
+  after?: (bytes: number, rows: number) => boolean | Promise<boolean>;
+}
+
+/** Reads a file of any kind that is understood, piece by piece: of it no more is in memory than one piece and its numbers. */
+export async function readStream(stream: Bytes, options: StreamOptions): Promise<CsvResult> {
+  const opened = await open(stream);
+  const { after = () => false, size = 0 } = options;
+  if (opened.json) {
+    const text = await textOf(opened.pieces, LARGEST_JSON);
+    const table = text === null ? null : jsonTable(text);
+    if (table === null)
+      return refusal(text === null ? `this JSON is larger than ${LARGEST_JSON / 1e6} MB; write it as CSV` : NO_TABLE);
+    const reader = new CsvReader(options);
+    for (let at = 0; at < table.length; at += 1 << 20) reader.push(table.slice(at, at + (1 << 20)));
+    return reader.finish();
+  }
+  const reader = new CsvByteReader(options, opened.packed ? 0 : size);
+  let [bytes, damage] = [0, ''];
+  try {
+    for await (const piece of opened.pieces) {
+      reader.push(piece);
+      bytes += piece.length;
+      if (reader.ended || (await after(bytes, reader.rows))) break;
+    }
+  } catch (error) {
+    if (!opened.packed) throw error;
+    damage = 'the gzip archive is damaged or cut: what was before is read';
+  }
+  const result = reader.finish();
+  if (damage && result.kind === 'motion') result.notes.push(damage);
+  if (damage && result.kind === 'unusable')
+    return refusal('this gzip archive is damaged: nothing of it could be unpacked');
+  return result;
+}
+
+/** What a file is understood as, from as little of it as decides that. */
+export async function understandStream(stream: Bytes, options: UnderstandOptions): Promise<Understanding> {
+  const opened = await open(stream);
+  if (opened.json) {
+    const text = await textOf(opened.pieces, LARGEST_JSON);
+    const table = text === null ? null : jsonTable(text);
+    return table === null
+      ? { kind: 'refused', line: 0, message: NO_TABLE }
+      : understandText(table.slice(0, table.indexOf('\n', ENOUGH_TO_DECIDE) + 1 || table.length), 'utf-8', options);
+  }
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  try {
+    for await (const piece of opened.pieces) {
+      parts.push(piece);
+      length += piece.length;
+      if (length >= 2 * ENOUGH_TO_DECIDE) break;
+    }
+  } catch (error) {
+    if (!opened.packed) throw error;
+  }
+  return understand(joined(parts), options);
+}
+
+interface Opened {
+  pieces: AsyncGenerator<Uint8Array>;
+  packed: boolean;
+  json: boolean;
+}
+
+async function open(stream: Bytes): Promise<Opened> {
+  const reader = stream.getReader();
+  const first: Uint8Array<ArrayBuffer>[] = [];
+  for (let length = 0; length < ENOUGH_TO_KNOW;) {
+    const { value } = await reader.read();
+    if (!value) break;
+    first.push(value);
+    length += value.length;
+  }
+  const start = joined(first);
+  const packed = sniff(start).kind === 'gzip';
+  const whole = piecesOf(reader, first);
+  if (!packed) return { pieces: whole, packed, json: isJson(start) };
+  const inner = await open(unpacked(streamOf(whole), true));
+  return { ...inner, packed };
+}
+
+function isJson(start: Uint8Array): boolean {
+  const text = new TextDecoder('utf-8')
+    .decode(start.subarray(0, ENOUGH_TO_KNOW))
+    .replace(/^\ufeff/, '')
+    .trimStart();
+  return /^(?:\{\s*"|\[\s*[[{])/.test(text);
+}
+
+async function* piecesOf(
+  reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuffer>>,
+  first: readonly Uint8Array<ArrayBuffer>[],
+): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  try {
+    yield* first;
+    for (;;) {
+      const { value } = await reader.read();
+      if (!value) return;
+      yield value;
+    }
+  } finally {
+    await reader.cancel().catch(() => undefined);
+  }
+}
+
+function streamOf(pieces: AsyncGenerator<Uint8Array<ArrayBuffer>>): Bytes {
+  return new ReadableStream({
+    async pull(controller) {
+      const { value, done } = await pieces.next();
+      if (done) controller.close();
+      else controller.enqueue(value);
+    },
+    async cancel() {
+      await pieces.return(undefined);
+    },
+  });
+}
+
+async function textOf(pieces: AsyncGenerator<Uint8Array>, most: number): Promise<string | null> {
+  const decoder = new TextDecoder();
+  let [text, length] = ['', 0];
+  for await (const piece of pieces) {
+    length += piece.length;
+    if (length > most) return null;
+    text += decoder.decode(piece, { stream: true });
+  }
+  return text + decoder.decode();
+}
+
+function joined(parts: readonly Uint8Array[]): Uint8Array {
+  const whole = new Uint8Array(parts.reduce((length, part) => length + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+function refusal(message: string): CsvResult {
+  return { kind: 'unusable', issues: [{ line: 0, column: '', message }] };
+}

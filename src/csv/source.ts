@@ -1,0 +1,51 @@
+import type { Layout } from './layout/layout.ts';
+import { splitTitle, unitBehind } from './units/titles.ts';
+import { isUnit } from './units/units.ts';
+
+/** A column of a file before it has a meaning. */
+export interface Source {
+  index: number;
+  title: string;
+  /** With the group it stands in, without the unit; unique. */
+  name: string;
+  /** In its title, or ''. */
+  unit: string;
+  /** In a row of units, or ''. */
+  rowUnit: string;
+}
+
+/** Words and numbers above columns that tell no two of them apart. */
+const EMPTY_GROUP = /^(?:rigid ?body|bone|marker|rigid body marker|type|name|id|[0-9a-f]{16,})$/i;
+
+export function sourcesOf(layout: Layout): Source[] {
+  const taken = new Set<string>();
+  return Array.from({ length: layout.width }, (_, index) => {
+    const title = (layout.titles?.[index] ?? '').trim();
+    const split = splitTitle(title);
+    const own = split.name === '' && split.unit === '' ? `column ${index + 1}` : split.name;
+    const group = layout.groups
+      .map((names) => names[index] ?? '')
+      .filter((name) => name !== '' && !EMPTY_GROUP.test(name));
+    let name = [...group, own].join('.');
+    for (let k = 2; taken.has(name); k++) name = `${[...group, own].join('.')} (${k})`;
+    taken.add(name);
+    const rowUnit = (layout.units?.[index] ?? '').trim().replace(/^[[({](.*)[\])}]$/, '$1');
+    return { index, title, name, unit: split.unit, rowUnit: isUnit(rowUnit) ? rowUnit : '' };
+  });
+}
+
+/** The title as a name is looked up by: with its group, and its unit in brackets. */
+export function lookedUp(source: Source): string {
+  return source.unit === '' ? source.name : `${source.name} [${source.unit}]`;
+}
+
+/** Whether words of a person mean a column: its name, its title, its name without a unit, or its number. */
+export function isMeant(source: Source, words: string): boolean {
+  const wanted = words.trim().toLowerCase();
+  return (
+    source.name.toLowerCase() === wanted ||
+    source.title.toLowerCase() === wanted ||
+    unitBehind(source.name)?.name.toLowerCase() === wanted ||
+    `column ${source.index + 1}` === wanted
+  );
+}

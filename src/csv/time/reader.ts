@@ -1,0 +1,58 @@
+import type { ImportChoices, TimePlan } from '../plan.ts';
+import { readNumber } from '../reading/numbers.ts';
+import { moment, type Moment } from './clock.ts';
+import { EpochClock } from './epoch.ts';
+
+/** The time of a row from its cells, in seconds from the first one; NaN where there is none. */
+export type TimeReader = (cells: readonly string[]) => number;
+
+const HALF_DAY = 43200;
+
+/** For times that are no plain numbers; null where a number times a factor is the time. */
+export function timeReaderOf(time: TimePlan, choices: ImportChoices, comma: boolean): TimeReader | null {
+  const [first = -1, second = -1] = time.columns;
+  switch (time.form) {
+    case 'number':
+    case 'counted':
+      return null;
+    case 'frame': {
+      let base: number | null = null;
+      return (cells) => {
+        const frame = readNumber(cells[first] ?? '', comma);
+        if (Number.isNaN(frame)) return NaN;
+        base ??= frame;
+        return (frame - base) * time.factor;
+      };
+    }
+    case 'epoch': {
+      const clock = new EpochClock();
+      return (cells) => {
+        const text = cells[first] ?? '';
+        const since = clock.since(comma ? text.replace(',', '.') : text);
+        return since * time.factor;
+      };
+    }
+    default: {
+      let [base, last, days]: [Moment | null, number, number] = [null, -Infinity, 0];
+      return (cells) => {
+        const text =
+          second >= 0 ? `${(cells[first] ?? '').trim()} ${(cells[second] ?? '').trim()}` : (cells[first] ?? '');
+        const now = moment(text, choices.dateOrder);
+        if (!now) return NaN;
+        base ??= now;
+        let since = (now.days - base.days) * 86400 + (now.seconds - base.seconds);
+        // A clock without a date begins again at midnight.
+        if (time.form === 'clock') {
+          since += 86400 * days;
+          if (since < last - HALF_DAY) {
+            days++;
+            since += 86400;
+          }
+          last = since;
+        }
+        // Text has nine decimals at the most; the rest is what subtracting left.
+        return Math.round(since * 1e9) / 1e9;
+      };
+    }
+  }
+}

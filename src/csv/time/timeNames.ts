@@ -1,0 +1,37 @@
+import { plainName } from '../names/plainName.ts';
+
+/** Names of a time, in the commoner languages of Europe; the unit is another matter. */
+const TIMES = new Set(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+    ' ',
+  ),
+);
+const DATES = new Set('date datum fecha data dato dzien pvm day дата'.split(' '));
+const FRAMES = new Set(
+  'frame frames frameno framenumber bild image sample samples sampleno samplenumber packetcounter packet scan field item'.split(
+    ' ',
+  ),
+);
+const INDICES = new Set(['', 'index', 'idx', 'row', 'n', 'no', 'nr', 'id', 'unnamed:0', '#']);
+
+/** What a name says about time: the surer, the lower its rank. */
+export function timeRank(name: string): number | null {
+  const plain = plainName(name);
+  if (plain === 't' || plain === 'time') return 0;
+  if (TIMES.has(plain)) return 1;
+  if (/^(?:ros|gps|system|unix|sensor|device|world|wall|header\.?)?(?:time(?:stamp)?|stamp)$/.test(plain)) return 2;
+  return null;
+}
+
+export const isDateName = (name: string): boolean => DATES.has(plainName(name));
+export const isFrameName = (name: string): boolean => FRAMES.has(plainName(name));
+export const isIndexName = (name: string): boolean => INDICES.has(plainName(name));
+
+/** `timestamp_ms`, `time_ns`, `millis`: the unit that a time's own name holds. */
+export function unitInTimeName(name: string): string {
+  const plain = plainName(name);
+  if (/^(?:millis|milliseconds?)$/.test(plain)) return 'ms';
+  if (/^(?:micros|microseconds?)$/.test(plain)) return 'us';
+  if (/^(?:seconds?|secs?|secondselapsed|tsec|timesec)$/.test(plain)) return 's';
+  return '';
+}

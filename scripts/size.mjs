@@ -16,6 +16,8 @@ const AT_ONCE = [
   'src/compute/worker.ts',
   'src/compute/services/run.ts',
   'src/core/systems/ripstik/equations.generated.ts',
+  'src/core/geometry/drawings.ts',
+  'src/core/systems/ripstik/drawing.ts',
 ];
 
 /** The files that are loaded with the first view: what index.html names, what is asked for at once, what these import. */

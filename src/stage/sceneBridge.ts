@@ -5,10 +5,7 @@ import { ghostsAt } from '../app/runs/ghosts.ts';
 import type { ExportRenderer } from '../app/files/exportRenderer.ts';
 import type { Stage } from '../app/runs/stage.ts';
 import type { App } from '../app/app.ts';
-import type { Motion } from '../app/runs/motion.ts';
-import { castOf, type Drawing, valueOf } from '../core/geometry/drawing.ts';
-import { modelsOf } from '../core/model/system.ts';
-import { loadDrawing, shippedMeshes } from '../core/systems/registry.ts';
+import { loadDrawing, shapedBy } from '../core/systems/registry.ts';
 import type { Dressed, MeshPair, SceneOptions, SceneView } from '../scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
@@ -156,12 +153,12 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     const own = app.state.meshes.value;
     if (!motion) return;
     const { id } = motion.system.meta;
-    const shape = shippedMeshes(id)?.shapedBy.map((name) => motion.parameters[name]) ?? motion.parameters;
+    const shape = shapedBy(id)?.map((name) => motion.parameters[name]) ?? motion.parameters;
     const key = JSON.stringify([id, shape, [...own]]);
     if (key === wearing) return;
     wearing = key;
     const now = ++turn;
-    void drawingFor(motion).then(
+    void loadDrawing(motion.system.meta, motion.parameters).then(
       ({ pairs, bodies, fixtures, stage }) => {
         if (now !== turn) return;
         try {
@@ -189,28 +186,4 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     );
   });
   return dressed;
-}
-
-/** In its default proportions a system may wear shipped files; else it is drawn from its parameters. */
-async function drawingFor({ system: { meta }, parameters }: Motion): Promise<Drawing> {
-  const shipped = shippedMeshes(meta.id);
-  const standard = shipped?.shapedBy.every(
-    (name) => parameters[name] === meta.parameters.find((p) => p.name === name)?.default,
-  );
-  if (!shipped || !standard) return loadDrawing(meta, parameters);
-  const cast = castOf(meta, shipped.layout(valueOf(meta, parameters)));
-  return { pairs: await loadModels(modelsOf(meta)), ...cast, fixtures: [] };
-}
-
-async function loadModels(names: readonly string[]): Promise<Record<string, MeshPair>> {
-  const text = async (file: string): Promise<string> => {
-    const response = await fetch(`models/${file}`);
-    if (!response.ok) throw new Error(`models/${file}: the server answered ${response.status}`);
-    return response.text();
-  };
-  return Object.fromEntries(
-    await Promise.all(
-      names.map(async (name) => [name, { mdl: await text(`${name}.mdl`), mat: await text(`${name}.mat`) }] as const),
-    ),
-  );
 }

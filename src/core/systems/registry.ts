@@ -81,5 +81,5 @@ export async function loadDrawing(meta: SystemMeta, parameters: Readonly<Record<
   return drawingFrom(meta, drawn?.draw(valueOf(meta, parameters)));
 }
 
-/** Meshes that lie beside the page as files, and the parameters they were made for; undefined where the system has none. */
-export const shippedMeshes = (id: string): SystemFolder['shipped'] => folders.get(id)?.shipped;
+/** Parameters that shape a system's meshes; undefined where any of them may. */
+export const shapedBy = (id: string): SystemFolder['shapedBy'] => folders.get(id)?.shapedBy;

@@ -1,13 +1,13 @@
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
 import { ModeActions } from './modeActions.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export const analysis: Feature = {
   id: 'analysis',
   order: 60,
   tool: {
-    title: words.open,
+    title: firstWords.open,
     icon: 'analysis',
     size: 'wide',
     Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool),

@@ -5,7 +5,6 @@ export const words = {
   multipliers: 'Multipliers',
   lateral: 'lateral',
   vertical: 'vertical',
-  open: 'Analysis',
   title: 'Analysis',
   about: (title: string) =>
     `“${title}” as it stands in the panel, linearized about its operating point on the constraints. It follows every change.`,
@@ -94,16 +93,4 @@ export const words = {
   stableBelow: 'nothing grows below',
   skipped: (n: number, value: string, reason: string) => `${n} values are left out, the first at ${value}: ${reason}`,
   locusCsv: 'Locus as CSV',
-} as const;
-
-/** Words of a mode that is shown as motion. */
-export const modeWords = {
-  showMode: 'Show as motion',
-  showModeOf: (value: string) => `Show the mode ${value} as motion`,
-  mode: (value: string) => `Mode ${value}\u202f1/s`,
-  modeHint: (angle: string) => `Not a run: the linear mode, with its largest angle ${angle}.`,
-  growth: 'As it grows or decays',
-  shapeOnly: 'Shape only',
-  growthLabel: 'How the mode is shown',
-  back: 'Back to the run',
 } as const;

@@ -6,7 +6,7 @@ import { draw, putOnStage, testApp } from '../../../tests/ui/page.tsx';
 import { compare } from './manifest.tsx';
 import { PinnedList } from './pinnedList.tsx';
 import { PinRun } from './pinRun.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 afterEach(cleanup);
 
@@ -28,7 +28,7 @@ test('pinning is offered once for a motion', () => {
   fireEvent.click(screen.getByTestId('status-keep'));
   expect(screen.getByTestId<HTMLButtonElement>('compare-keep').disabled).toBe(true);
   expect(screen.queryByTestId('status-keep')).toBeNull();
-  expect(screen.getByText(words.pinned, { exact: true })).toBeTruthy();
+  expect(screen.getByText(firstWords.pinned, { exact: true })).toBeTruthy();
 });
 
 test('a name given stays through removing and undoing', () => {

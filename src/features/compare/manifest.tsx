@@ -1,13 +1,13 @@
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
 import { PinRun } from './pinRun.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export const compare: Feature = {
   id: 'compare',
   order: 80,
   tool: {
-    title: words.open,
+    title: firstWords.open,
     icon: 'compare',
     size: 'wide',
     keep: true,
@@ -17,8 +17,8 @@ export const compare: Feature = {
   commands: [
     {
       id: 'pin',
-      label: words.keep,
-      keys: [{ key: 'b', line: { what: words.pinKey } }],
+      label: firstWords.keep,
+      keys: [{ key: 'b', line: { what: firstWords.pinKey } }],
       perform: ({ pinned }) => void pinned.pin(),
     },
   ],

@@ -1,4 +1,5 @@
 import { bytesOf, MOST_PINNED_BYTES, MOST_PINNED, type PinnedRun } from '../../app/runs/pinnedRuns.ts';
+import { firstWords } from './firstWords.ts';
 import { words } from './words.ts';
 import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
@@ -41,7 +42,7 @@ export function PinnedList() {
           disabled={!motion || stage !== undefined}
           onClick={() => pinned.pin()}
         >
-          {stage ? words.kept : motion?.source === 'file' ? words.keepFile : words.keep}
+          {stage ? words.kept : motion?.source === 'file' ? words.keepFile : firstWords.keep}
         </button>
         <span class="spring" />
         {removed && (

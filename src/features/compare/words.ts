@@ -1,12 +1,8 @@
 /** Words of the comparison of runs and of sweeps. */
 export const words = {
-  open: 'Compare',
-  pinned: 'kept',
-  pinKey: 'keep this run, to compare with',
   parts: { runs: 'Runs', sweep: 'Sweep' },
   part: 'What to compare',
   empty: 'Keep a run or a file (B), change something, run again: both stand here over one time axis.',
-  keep: 'Keep this run',
   keepFile: 'Keep this file',
   kept: 'This one is kept',
   list: 'Kept runs',

@@ -1,12 +1,12 @@
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
-import { equations as words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export const equations: Feature = {
   id: 'equations',
   order: 50,
   tool: {
-    title: words.open,
+    title: firstWords.open,
     icon: 'equations',
     size: 'wide',
     Body: later(async () => (await import('./equationsTool.tsx')).EquationsTool),

@@ -1,6 +1,5 @@
 /** Words of the page's equations. */
 export const equations = {
-  open: 'Equations',
   about: (title: string) =>
     `${title}: the equations that the derivation prints, and what they are worth at the time on the stage. SI units and radians unless a unit is shown.`,
   none: (title: string) => `There are no typeset equations of ${title}.`,

@@ -7,6 +7,7 @@ import { later } from '../../ui/kit/later.tsx';
 import type { ExportRenderer } from '../../app/files/exportRenderer.ts';
 import type { Motion } from '../../app/runs/motion.ts';
 import { MOST_KEYS, sizeInWords } from '../../app/files/exportPlan.ts';
+import { firstWords } from './firstWords.ts';
 import { words as text } from './words.ts';
 import { RangeFields } from './fields.tsx';
 import { choices, job, keysOf, rangeOf, saveGlb, type Tab } from './jobs.ts';
@@ -23,7 +24,7 @@ export function ExportDialog() {
   const renderer = exportService.available.value ? exportService.renderer() : null;
   const trouble = !motion || motion.trajectory.length === 0 ? text.noMotion : !renderer ? text.noScene : null;
   return (
-    <Dialog title={text.title} testId="export-dialog" onClose={actions.closeDialog}>
+    <Dialog title={firstWords.title} testId="export-dialog" onClose={actions.closeDialog}>
       <div class="export">
         <div class="segments" role="group" aria-label={text.kinds}>
           {(Object.keys(text.tabs) as Tab[]).map((id) => (

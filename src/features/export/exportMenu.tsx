@@ -2,7 +2,7 @@
 import { useCommand } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { Menu } from '../../ui/kit/menu.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export function ExportMenu() {
   const items = [
@@ -12,7 +12,7 @@ export function ExportMenu() {
   ];
   return (
     <Menu
-      label={words.title}
+      label={firstWords.title}
       testId="export-menu"
       align="right"
       items={items.map(({ id, command }) => ({
@@ -24,7 +24,7 @@ export function ExportMenu() {
       }))}
     >
       <Icon name="export" />
-      <span class="word">{words.title}</span>
+      <span class="word">{firstWords.title}</span>
     </Menu>
   );
 }

@@ -1,7 +1,7 @@
 import type { Feature } from '../../ui/feature.ts';
 import { ExportDoor } from './exportDoor.tsx';
 import { ExportMenu } from './exportMenu.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export const exporting: Feature = {
   id: 'export',
@@ -11,11 +11,11 @@ export const exporting: Feature = {
   commands: [
     {
       id: 'export-csv',
-      label: words.menu.csv,
+      label: firstWords.csv,
       enabled: ({ state }) => state.motion.value !== null,
       perform: ({ actions }) => actions.exportCsv(),
     },
-    { id: 'save-scenario', label: words.menu.scenario, perform: ({ actions }) => actions.saveScenario() },
-    { id: 'export', label: words.menu.more, perform: ({ actions }) => actions.openDialog('export') },
+    { id: 'save-scenario', label: firstWords.scenario, perform: ({ actions }) => actions.saveScenario() },
+    { id: 'export', label: firstWords.more, perform: ({ actions }) => actions.openDialog('export') },
   ],
 };

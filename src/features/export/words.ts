@@ -1,7 +1,5 @@
 /** Words of the export dialog. */
 export const words = {
-  title: 'Export',
-  menu: { csv: 'Run as CSV', scenario: 'Scenario as JSON', more: 'Picture, video, 3-D file …' },
   kinds: 'What to export',
   tabs: { picture: 'Picture', video: 'Video', glb: '3-D file', data: 'Data' },
   size: 'Size',

@@ -1,12 +1,12 @@
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 export const methods: Feature = {
   id: 'methods',
   order: 70,
   tool: {
-    title: words.open,
+    title: firstWords.open,
     icon: 'methods',
     size: 'widest',
     keep: true,

@@ -1,6 +1,5 @@
 /** Words of the comparison of methods. */
 export const words = {
-  open: 'Methods',
   title: 'Compare methods',
   about: (title: string) =>
     `“${title}” as it stands in the panel, run with each chosen method in a worker of its own. Beside each of the report's four stands what its Table 1 has for the falling board.`,

@@ -1,6 +1,5 @@
 /** Words of the plots. */
 export const text = {
-  title: 'Plots',
   groups: {
     coordinates: 'Coordinates',
     rates: 'Rates',

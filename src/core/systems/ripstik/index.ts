@@ -1,6 +1,6 @@
 import type { SystemFolder } from '../folder.ts';
 import { ripstikCases } from './cases.ts';
-import { layout, shapedBy } from './drawing/layout.ts';
+import { shapedBy } from './drawing/layout.ts';
 import { ripstikView } from './view.ts';
 
 export const ripstik: SystemFolder = {
@@ -9,5 +9,5 @@ export const ripstik: SystemFolder = {
   equations: () => import('./equations.generated.ts'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),
-  shipped: { shapedBy, layout },
+  shapedBy,
 };

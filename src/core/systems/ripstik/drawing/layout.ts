@@ -1,4 +1,4 @@
-/** The board on its stage, without its meshes: light enough for the first view, which loads those as files. */
+/** The board on its stage, without its meshes. */
 import type { Layout, Value } from '../../../geometry/drawing.ts';
 import type { Vec3 } from '../../../geometry/vectors.ts';
 

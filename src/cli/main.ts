@@ -6,12 +6,15 @@ import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/all.ts';
 import { bench } from './bench.ts';
+import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
 import { simulate } from './simulate.ts';
 import { UsageError, pathOf } from './usage.ts';
 
 const USAGE = `Usage:
   npm run --silent ripstik -- simulate SCENARIO.json --out RUN.csv   run a scenario (without --out: CSV on standard output)
+                                                                     with --verify: compute it again by another method and tell
+                                                                     as JSON how many digits are right until when
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
@@ -52,15 +55,24 @@ function takeOption(rest: string[], name: string): string | undefined {
   return value;
 }
 
-function main(args: readonly string[]): number {
+/** Whether a word that takes no value is there. */
+function takeFlag(rest: string[], name: string): boolean {
+  const at = rest.indexOf(name);
+  if (at >= 0) rest.splice(at, 1);
+  return at >= 0;
+}
+
+async function main(args: readonly string[]): Promise<number> {
   const [command, ...rest] = args;
   const out = takeOption(rest, '--out');
+  const verify = takeFlag(rest, '--verify');
   const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
+  if (verify && command !== 'simulate') throw new UsageError('--verify is for simulate');
   if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
   switch (command) {
     case 'simulate': {
       const scenario = readScenario(rest[0]);
-      return simulate(scenario, systems[scenario.system]!, out);
+      return simulate(scenario, systems[scenario.system]!, { name: rest[0]!, out, verify });
     }
     case 'point': {
       const scenario = readScenario(rest[0]);
@@ -89,11 +101,11 @@ function main(args: readonly string[]): number {
 }
 
 /** What a person can mend is one line and status 2; anything else is our fault and shows its trace. */
-function run(): number {
+async function run(): Promise<number> {
   const args = process.argv.slice(2);
-  if (args[0] === '--help' || args[0] === '-h') return main(['help']);
+  if (args[0] === '--help' || args[0] === '-h') return await main(['help']);
   try {
-    return main(args);
+    return await main(args);
   } catch (error) {
     if (!(error instanceof ScenarioError || error instanceof StartError || error instanceof UsageError)) throw error;
     process.stderr.write(`ripstik: ${error.message.replace(/\s*\n\s*/g, ' ')}\n`);
@@ -101,4 +113,8 @@ function run(): number {
   }
 }
 
-process.exitCode = run();
+process.stdout.on('error', (error) => {
+  process.stderr.write(`ripstik: ${cannotWrite('standard output', error).message}\n`);
+  process.exit(2);
+});
+process.exitCode = await run();

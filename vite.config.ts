@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
 import { leaveOut } from './scripts/leaveOut.ts';
+import { leanThree } from './scripts/leanThree.ts';
 import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
@@ -43,7 +44,7 @@ const forPage = leaveOut('a worker', /\/(?:typeset\.generated\.json|drawing\.ts)
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [woff2Only, developersStyles, forWorkers, chunks.page, offline()],
+  plugins: [woff2Only, developersStyles, leanThree(), forWorkers, chunks.page, offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     target: 'es2022',

@@ -1,0 +1,117 @@
+// A Vite plugin: builds three.js from its single modules and without what this page never draws with. Half of what the
+// first view loads is three, and of that half much is text of shaders and headsets.
+import { fileURLToPath } from 'node:url';
+import type { Plugin } from 'vite';
+
+const SOURCE = fileURLToPath(new URL('../node_modules/three/src/Three.js', import.meta.url));
+
+/**
+ * Switches in three's shaders, and numbers of lights, that nothing of the scene turns on: their branches are left out.
+ * What does would be drawn as if it did not, so `tests/repository/leanThree.test.ts` looks for the words that do.
+ */
+export const NEVER: Readonly<Record<string, string>> = {
+  NUM_LIGHT_PROBE_GRIDS: 'LightProbe',
+  NUM_RECT_AREA_LIGHTS: 'RectAreaLight',
+  NUM_SPOT_LIGHTS: 'SpotLight',
+  NUM_SPOT_LIGHT_COORDS: 'SpotLight',
+  NUM_SPOT_LIGHT_MAPS: 'SpotLight',
+  USE_ALPHAHASH: 'alphaHash',
+  USE_ANISOTROPY: 'anisotropy',
+  USE_AOMAP: 'aoMap',
+  USE_BATCHING: 'BatchedMesh',
+  USE_BATCHING_COLOR: 'BatchedMesh',
+  USE_BUMPMAP: 'bumpMap',
+  USE_CLEARCOAT: 'clearcoat',
+  USE_DISPERSION: 'dispersion',
+  USE_DISPLACEMENTMAP: 'displacementMap',
+  USE_EMISSIVEMAP: 'emissiveMap',
+  USE_GRADIENTMAP: 'gradientMap',
+  USE_INSTANCING_MORPH: 'morphTexture',
+  USE_IRIDESCENCE: 'iridescence',
+  USE_LIGHTMAP: 'lightMap',
+  USE_LIGHT_PROBES: 'LightProbe',
+  USE_LOGARITHMIC_DEPTH_BUFFER: 'logarithmicDepthBuffer',
+  USE_METALNESSMAP: 'metalnessMap',
+  USE_MORPHCOLORS: 'morphAttributes',
+  USE_MORPHNORMALS: 'morphAttributes',
+  USE_MORPHTARGETS: 'morphAttributes',
+  USE_REVERSED_DEPTH_BUFFER: 'reversedDepthBuffer',
+  USE_ROUGHNESSMAP: 'roughnessMap',
+  USE_SHEEN: 'sheen',
+  USE_SKINNING: 'SkinnedMesh',
+  USE_SPECULAR: 'specularIntensity',
+  USE_SPECULARMAP: 'specularMap',
+  USE_TRANSMISSION: 'transmission',
+};
+
+/** Materials' shaders that are never compiled: whoever does gets an error that says why. By file and what makes one. */
+export const UNUSED_SHADERS: Readonly<Record<string, string>> = {
+  cube: 'CubeTexture',
+  distance: 'MeshDistanceMaterial',
+  equirect: 'EquirectangularReflectionMapping',
+  linedashed: 'LineDashedMaterial',
+  meshmatcap: 'MeshMatcapMaterial',
+  meshnormal: 'MeshNormalMaterial',
+  meshtoon: 'MeshToonMaterial',
+  points: 'PointsMaterial',
+  vsm: 'VSMShadowMap',
+};
+
+/** What the renderer asks of a headset where there is none. */
+const NO_HEADSET = `
+import { EventDispatcher } from '../../core/EventDispatcher.js';
+export class WebXRManager extends EventDispatcher {
+  enabled = false;
+  isPresenting = false;
+  getEnvironmentBlendMode() {}
+  setAnimationLoop() {}
+  dispose() {}
+}`;
+
+/** One switch, or one number of lights, and nothing else. */
+const ALONE = /^(?:defined\(\s*(\w+)\s*\)|(\w+)\s*>\s*0|\(\s*(\w+)\s*>\s*0\s*\))$/;
+
+/** Without the branches of switches that are never on, and without comments and blanks that a compiler skips. */
+export function leanShader(glsl: string): string {
+  const out: string[] = [];
+  /** One entry an open #if: whether lines count, and whether its own lines are left out. */
+  const open: { kept: boolean; ours: boolean }[] = [];
+  const plain = glsl.replace(/\/\*[\s\S]*?\*\//g, '').split('\n');
+  for (const raw of plain) {
+    const line = raw.replace(/\/\/.*$/, '').trim();
+    const kept = open.every((block) => block.kept);
+    const [, word, rest = ''] = /^#\s*(if|ifdef|ifndef|elif|else|endif)\b\s*(.*)$/.exec(line) ?? [];
+    if (word === 'if' || word === 'ifdef' || word === 'ifndef') {
+      const name = word === 'if' ? (ALONE.exec(rest)?.slice(1).find(Boolean) ?? '') : rest;
+      const ours = name in NEVER;
+      open.push({ kept: !ours || word === 'ifndef', ours });
+      if (ours) continue;
+    } else if (word === 'elif' && open.at(-1)?.ours) throw new Error(`leanShader cannot take "${line}" apart`);
+    else if (word === 'else' && open.at(-1)?.ours) {
+      open.at(-1)!.kept = !open.at(-1)!.kept;
+      continue;
+    } else if (word === 'endif' && open.pop()?.ours) continue;
+    if (kept && line !== '') out.push(line);
+  }
+  if (open.length > 0) throw new Error('a shader of three has an #if without its #endif');
+  return `${out.join('\n')}\n`;
+}
+
+export function leanThree(): Plugin {
+  return {
+    name: 'lean-three',
+    apply: 'build',
+    enforce: 'pre',
+    resolveId: (source) => (source === 'three' ? SOURCE : undefined),
+    transform(code, id) {
+      if (!id.includes('/three/src/')) return undefined;
+      if (id.endsWith('/webxr/WebXRManager.js')) return { code: NO_HEADSET, map: null };
+      const [, shader] = /\/shaders\/Shader(?:Chunk|Lib)\/(\w+)\.glsl\.js$/.exec(id) ?? [];
+      if (shader === undefined) return undefined;
+      const unused = id.includes('/ShaderLib/') && shader in UNUSED_SHADERS;
+      const text = (glsl: string): string =>
+        JSON.stringify(unused ? `#error ${shader} is left out (scripts/leanThree.ts)` : leanShader(glsl));
+      return { code: code.replace(/`([^`]*)`/g, (_, glsl: string) => text(glsl)), map: null };
+    },
+  };
+}

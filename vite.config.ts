@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
-import { leaveOut } from './scripts/leaveOut.ts';
+import { leaveOut, withoutCases } from './scripts/leaveOut.ts';
 import { leanThree } from './scripts/leanThree.ts';
 import { offline } from './scripts/offline.ts';
 
@@ -53,7 +53,7 @@ export default defineConfig({
     assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
     rolldownOptions: { output: { chunkFileNames } },
   },
-  worker: { format: 'es', plugins: () => [forPage, chunks.worker], rolldownOptions: { output: { chunkFileNames } } },
+  worker: { format: 'es', plugins: () => [forPage, withoutCases, chunks.worker], rolldownOptions: { output: { chunkFileNames } } },
   test: {
     include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright
     environment: 'node',

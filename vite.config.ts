@@ -53,7 +53,11 @@ export default defineConfig({
     assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
     rolldownOptions: { output: { chunkFileNames } },
   },
-  worker: { format: 'es', plugins: () => [forPage, withoutCases, chunks.worker], rolldownOptions: { output: { chunkFileNames } } },
+  worker: {
+    format: 'es',
+    plugins: () => [forPage, withoutCases, chunks.worker],
+    rolldownOptions: { output: { chunkFileNames } },
+  },
   test: {
     include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright
     environment: 'node',

@@ -37,7 +37,7 @@ export interface Picture {
   equal?: boolean | undefined;
   marks: readonly Mark[];
   /** A scale of colours at the right. */
-  bar?: { low: number; high: number; colour(share: number): string } | undefined;
+  bar?: { title?: Text; low: number; high: number; colour(share: number): string } | undefined;
 }
 
 /** Part of a picture that is looked at. */
@@ -71,6 +71,8 @@ const TOP = 8;
 const TITLE = 18;
 const TICK = 18;
 const BAR = 72;
+/** Of the words beside the colours' scale, px. */
+const BAR_TITLE = 16;
 /** Of a number along x, and of a line of numbers along y, px. */
 const ROOM = { x: 64, y: 32 };
 /** Narrower than this nothing can be read, px. */
@@ -97,7 +99,7 @@ export function frameOf(
     return Math.max(0, ...scale.ticks(height / ROOM.y).map((tick) => widthOf(surface, words(scale.text(tick)))));
   };
   const left = Math.max(LEFT, 8 * Math.ceil((widest(yRange) + 10 + (y.title.length > 0 ? TITLE : 0)) / 8));
-  const width = Math.max(SMALLEST.width, size.width - left - RIGHT - (bar ? BAR : 0));
+  const width = Math.max(SMALLEST.width, size.width - left - RIGHT - (bar ? BAR + (bar.title ? BAR_TITLE : 0) : 0));
   if (equal) {
     const perPixel = Math.max((xRange[1] - xRange[0]) / width, (yRange[1] - yRange[0]) / height);
     [xRange, yRange] = [around(xRange, (perPixel * width) / 2), around(yRange, (perPixel * height) / 2)];
@@ -178,7 +180,12 @@ function axes(surface: Surface, frame: Frame, { x, y }: Picture, theme: Theme): 
 }
 
 /** The colours' scale: the numbers at its ends and between. */
-function bar(surface: Surface, frame: Frame, { low, high, colour }: NonNullable<Picture['bar']>, theme: Theme): void {
+function bar(
+  surface: Surface,
+  frame: Frame,
+  { title, low, high, colour }: NonNullable<Picture['bar']>,
+  theme: Theme,
+): void {
   if (!(low <= high)) return;
   const left = frame.left + frame.width + 14;
   const { top, height } = frame;
@@ -195,6 +202,12 @@ function bar(surface: Surface, frame: Frame, { low, high, colour }: NonNullable<
       left + 16,
       top + height * (1 - scale.share(tick)),
     );
+  if (!title) return;
+  surface.save();
+  surface.translate(left + BAR, top + height / 2);
+  surface.rotate(-Math.PI / 2);
+  drawText(surface, title, 0, 0, 'center');
+  surface.restore();
 }
 
 const short = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most - 1)}…` : text);

@@ -1,4 +1,4 @@
-import type { Text, TextRun } from '../core/motion/symbols.ts';
+import { isTall, type Text, type TextRun } from '../core/motion/symbols.ts';
 import type { Surface } from './surface.ts';
 
 export const FONT_SIZE = 11;
@@ -38,7 +38,7 @@ export function drawText(
     surface.fillText(run.text, at, y + (run.sub ? SUB_DROP : 0));
     if (run.dot) {
       surface.beginPath();
-      surface.arc(at + widths[i]! / 2 + (run.math ? 1 : 0), y - (/[A-Z]/.test(run.text) ? 7 : 5.5), 1, 0, 2 * Math.PI);
+      surface.arc(at + widths[i]! / 2 + (run.math ? 1 : 0), y - (isTall(run.text) ? 7 : 5.5), 1, 0, 2 * Math.PI);
       surface.fill();
     }
     at += widths[i]!;

@@ -63,20 +63,20 @@ export class PinnedRuns {
     const { stage } = this;
     const motion = stage.motion.peek();
     if (!motion || motion.trajectory.length === 0)
-      return this.refuse('There is nothing to keep', 'Run a scenario or open a file first.');
+      return this.refuse('There is nothing to pin', 'Run a scenario or open a file first.');
     const runs = this.runs.peek();
     const already = runs.find((r) => r.motion.id === motion.id);
-    if (already) return this.refuse('This run is kept already', `It is called “${already.name}”.`);
+    if (already) return this.refuse('This run is pinned already', `It is called “${already.name}”.`);
     if (runs.length >= MOST_PINNED)
       return this.refuse(
-        'No more runs can be kept',
+        'No more runs can be pinned',
         `There are ${MOST_PINNED}, as many as curves can be told apart; remove one first.`,
       );
     const bytes = this.runs.peek().reduce((sum, r) => sum + bytesOf(r.motion), bytesOf(motion));
     if (bytes > MOST_PINNED_BYTES)
       return this.refuse(
-        'This run is too large to keep',
-        `Kept runs would hold ${(bytes / 1e6).toFixed(0)} MB, more than ${MOST_PINNED_BYTES / 1e6} MB; remove some, or run with a larger output step.`,
+        'This run is too large to pin',
+        `Pinned runs would take ${(bytes / 1e6).toFixed(0)} MB, more than ${MOST_PINNED_BYTES / 1e6} MB; remove some, or run with a larger output step.`,
       );
     const run = stage.run.peek();
     const pinned: PinnedRun = {

@@ -12,6 +12,10 @@ export interface TextRun {
 
 export type Text = readonly TextRun[];
 
+/** Letters that reach as high as capitals: a dot stands higher above them. */
+const TALL = /^[A-Z\u0391-\u03a9bdfhklβδζθλξφψ]/;
+export const isTall = (text: string): boolean => TALL.test(text);
+
 /** Latin and Greek small letters slant; capitals of Greek, digits and words stand upright. */
 const SLANTED = /^[A-Za-z\u03b1-\u03c9]$/;
 

@@ -5,7 +5,7 @@ import type { Complex, Mode } from '../../core/control/linearization/spectrum.ts
 import { ScenarioError, type ScenarioFile } from '../../core/scenario/types.ts';
 import { systems } from '../../core/systems/all.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, reachRows } from './modes.ts';
-import { analysedPart, pointOf, pointPath, stateNames, withPoint } from './names.ts';
+import { analysedPart, pointOf, pointPath, statesOf, withPoint } from './names.ts';
 import { bendOf, extent, isWide } from './planeScale.ts';
 import { offeredRange, subjectsOf } from './subjects.ts';
 import { scenarioOf } from '../../../tests/helpers.ts';
@@ -96,7 +96,7 @@ describe('scales', () => {
 });
 
 describe('what a locus is drawn against', () => {
-  const subjects = subjectsOf(board, stateNames(board.meta, 'rate'), 'speed');
+  const subjects = subjectsOf(board, statesOf(board.meta), 'speed');
 
   test('is the forward rate first, and every parameter, with a range inside its bounds', () => {
     expect(subjects[0]).toMatchObject({ id: 'at.X_dot', unit: 'm/s', factor: 1 });

@@ -10,7 +10,7 @@ import './analysis.css';
 import { Eigenvalues } from './eigenvalues.tsx';
 import { GainSection, type SaveText } from './gainSection.tsx';
 import { LocusSection } from './locusSection.tsx';
-import { analysedPart, stateNames } from './names.ts';
+import { analysedPart, statesOf } from './names.ts';
 import { OrdersSection } from './ordersSection.tsx';
 import { PointSection } from './pointSection.tsx';
 import { ReachSection } from './reachSection.tsx';
@@ -26,7 +26,7 @@ export function AnalysisView({ save }: AnalysisProps) {
   const system = ui.system.value;
   const { analysis, problem, computing } = useAnalysis();
   if (!system) return null;
-  const names = stateNames(system.meta, words.rate);
+  const names = statesOf(system.meta);
   const current = analysis?.system === system.meta.id ? analysis : null;
   return (
     <div

@@ -1,4 +1,6 @@
 /** Eigenvalues in the complex plane and as a table; what is pointed at in one is marked in the other. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
@@ -6,13 +8,12 @@ import { Section, Toggle } from '../../ui/kit/controls.tsx';
 import { formatFixed, formatShort, THIN } from '../../ui/kit/format.ts';
 import { words } from './words.ts';
 import { clustersOf, eigenvalueText, modeRows, qualitiesOf, type Cluster, type ModeRow } from './modes.ts';
-import type { StateName } from './names.ts';
+import type { Column } from '../../core/motion/columns.ts';
 import { CROSS, Plane, type Place } from './plane.tsx';
 import { isWide } from './planeScale.ts';
 import { ShowMode } from './showMode.tsx';
-import { StateSymbol } from './stateSymbol.tsx';
 
-type Names = ReadonlyMap<string, StateName>;
+type Names = ReadonlyMap<string, Column>;
 
 export function Eigenvalues({ analysis, names }: { analysis: ControlAnalysis; names: Names }) {
   const pointed = useSignal<string | null>(null);
@@ -256,7 +257,7 @@ function ModeTable({
   testId: string;
 }) {
   return (
-    <div class="table-scroll">
+    <TableScroll label={title || words.eigenvalues}>
       <table class="modes" data-testid={testId}>
         {title && <caption>{title}</caption>}
         <thead>
@@ -299,7 +300,7 @@ function ModeTable({
           })}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }
 
@@ -309,7 +310,7 @@ export function Movers({ moves, names, most = 5 }: { moves: readonly string[]; n
   return (
     <span class="movers" title={label}>
       {moves.slice(0, most).map((name) => (
-        <StateSymbol key={name} state={names.get(name)} name={name} />
+        <MathSymbol key={name} of={names.get(name)?.symbol ?? name} rate={names.get(name)?.rate} />
       ))}
       {moves.length > most && <span aria-hidden="true">…</span>}
       <span class="hidden">{label}</span>

@@ -1,13 +1,14 @@
 /** The gain by input and state, its residual, and everything as files for other programs. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { exportFormats, type ExportFormat } from '../../core/control/design/exports.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { words } from './words.ts';
-import type { StateName } from './names.ts';
+import type { Column } from '../../core/motion/columns.ts';
 import { InputHead } from './reachSection.tsx';
-import { StateSymbol } from './stateSymbol.tsx';
 
 /** Gains below this share of the largest are rounding. */
 const ROUNDING = 1e-12;
@@ -21,7 +22,7 @@ export function GainSection({
   save,
 }: {
   analysis: ControlAnalysis;
-  names: ReadonlyMap<string, StateName>;
+  names: ReadonlyMap<string, Column>;
   meta: SystemMeta;
   save: SaveText;
 }) {
@@ -63,7 +64,7 @@ function Gains({
 }: {
   analysis: ControlAnalysis;
   K: readonly (readonly number[])[];
-  names: ReadonlyMap<string, StateName>;
+  names: ReadonlyMap<string, Column>;
   meta: SystemMeta;
 }) {
   const largest = Math.max(...K.flat().map(Math.abs));
@@ -71,7 +72,7 @@ function Gains({
   return (
     <>
       <p class="hint">{words.gainNote}</p>
-      <div class="table-scroll">
+      <TableScroll label={words.gain}>
         <table data-testid="gains">
           <thead>
             <tr>
@@ -89,7 +90,7 @@ function Gains({
               return (
                 <tr key={name}>
                   <th scope="row" title={state?.label}>
-                    <StateSymbol state={state} name={name} />
+                    <MathSymbol of={state?.symbol ?? name} rate={state?.rate} />
                     <span class="hidden">{state?.label ?? name}</span>
                   </th>
                   <td class="hint">{state?.unit}</td>
@@ -117,7 +118,7 @@ function Gains({
             </tr>
           </tfoot>
         </table>
-      </div>
+      </TableScroll>
       <p>
         {words.care} <b data-testid="care-residual">{formatScientific(careResidual ?? NaN)}</b>
       </p>

@@ -1,4 +1,5 @@
 /** Eigenvalues against speed or any parameter: asked for, computed aside, drawn twice, listed, saved. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
@@ -15,7 +16,8 @@ import { LocusChart } from './locusChart.tsx';
 import { LocusForm } from './locusForm.tsx';
 import { LocusPlane } from './locusPlane.tsx';
 import { eigenvalueText, signed } from './modes.ts';
-import { analysedPart, type StateName } from './names.ts';
+import type { Column } from '../../core/motion/columns.ts';
+import { analysedPart } from './names.ts';
 import { bendOf, isWide } from './planeScale.ts';
 import { subjectsOf, type LocusSubject } from './subjects.ts';
 
@@ -33,7 +35,7 @@ export function LocusSection({
   system,
   save,
 }: {
-  names: ReadonlyMap<string, StateName>;
+  names: ReadonlyMap<string, Column>;
   system: SystemView;
   save: SaveText;
 }) {
@@ -224,7 +226,7 @@ function Walk({
 function Critical({ locus: { critical }, show }: { locus: ScenarioLocus; show(value: number): string }) {
   if (critical.length === 0) return <p data-testid="locus-critical">{words.noCritical}</p>;
   return (
-    <div class="table-scroll">
+    <TableScroll label={words.critical}>
       <table data-testid="locus-critical">
         <caption>{words.critical}</caption>
         <thead>
@@ -261,6 +263,6 @@ function Critical({ locus: { critical }, show }: { locus: ScenarioLocus; show(va
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }

@@ -1,40 +1,13 @@
-/** Names of states and inputs as a person reads them, and the part of a draft that an analysis depends on. */
+/** States by name as the catalogue of columns has them, and the part of a draft that an analysis depends on. */
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { ColourRole, SystemMeta } from '../../core/model/system.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
+import { columnOf, type Column } from '../../core/motion/columns.ts';
 
-export interface StateName {
-  name: string;
-  /** Of a rate, that of its coordinate. */
-  symbol: string;
-  label: string;
-  /** SI, e.g. `rad/s`. */
-  unit: string;
-  angle: boolean;
-  rate: boolean;
-  role: ColourRole;
-}
-
-/** Coordinates, then (unless the equations are of first order) their rates. */
-export function stateNames(
-  { coordinates, order }: Pick<SystemMeta, 'coordinates' | 'order'>,
-  rateWord: string,
-): Map<string, StateName> {
-  const names = new Map<string, StateName>();
-  for (const { name, symbol, label, kind, role } of coordinates) {
-    const [angle, unit] = [kind === 'angle', kind === 'angle' ? 'rad' : 'm'];
-    names.set(name, { name, symbol, label, unit, angle, rate: false, role });
-    if (order !== 1)
-      names.set(`${name}_dot`, {
-        name: `${name}_dot`,
-        symbol,
-        label: `${label}, ${rateWord}`,
-        unit: `${unit}/s`,
-        angle,
-        rate: true,
-        role,
-      });
-  }
-  return names;
+/** Coordinates, then (unless the equations are of first order) their rates, as the catalogue has them. */
+export function statesOf(meta: SystemMeta): ReadonlyMap<string, Column> {
+  const names = meta.coordinates.map((c) => c.name);
+  const rates = meta.order === 1 ? [] : names.map((name) => `${name}_dot`);
+  return new Map([...names, ...rates].map((name) => [name, columnOf(meta, name)]));
 }
 
 /** What of a draft decides its operating point, its linearization and its gain: all else may be wrong or change. */

@@ -1,4 +1,5 @@
 /** The three orders of linearization, with their difference as a number. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific, formatShort, THIN } from '../../ui/kit/format.ts';
@@ -15,7 +16,7 @@ export function OrdersSection({ analysis: { orders, eigenvalues, point } }: { an
   const carried = point.multipliers.filter((x) => Math.abs(x) > 1e-9).map((x) => formatShort(x, 3));
   return (
     <Section title={words.orders} open>
-      <div class="table-scroll">
+      <TableScroll label={words.orders}>
         <table class="orders" data-testid="orders">
           <thead>
             <tr>
@@ -50,7 +51,7 @@ export function OrdersSection({ analysis: { orders, eigenvalues, point } }: { an
             </tr>
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <p data-testid="orders-line">
         {agrees ? words.frozenAgrees : words.frozenDiffers(rate(frozen), rate(growth), carried.join(` ${words.and} `))}
       </p>

@@ -6,11 +6,11 @@ import { edit, useUi, type Ui } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatQuantity, formatShort, THIN } from '../../ui/kit/format.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
-import { pointOf, pointPath, withPoint, type StateName } from './names.ts';
-import { StateSymbol } from './stateSymbol.tsx';
+import { shownUnit, type Column } from '../../core/motion/columns.ts';
+import { pointOf, pointPath, withPoint } from './names.ts';
 
 export function PointSection({
   analysis,
@@ -18,7 +18,7 @@ export function PointSection({
   system,
 }: {
   analysis: ControlAnalysis | null;
-  names: ReadonlyMap<string, StateName>;
+  names: ReadonlyMap<string, Column>;
   system: SystemView;
 }) {
   const ui = useUi();
@@ -71,28 +71,27 @@ export function speedName(system: SystemView): string {
   return speed?.name ?? (order === 1 ? coordinates[0]!.name : `${coordinates[0]!.name}_dot`);
 }
 
-function PointField({ name, names }: { name: string; names: ReadonlyMap<string, StateName> }) {
+function PointField({ name, names }: { name: string; names: ReadonlyMap<string, Column> }) {
   const ui = useUi();
   const draft = ui.app.state.draft.value;
   const origin = ui.origin.value?.scenario;
   const state = names.get(name);
-  const unit = state ? (state.angle ? state.unit.replace('rad', '°') : state.unit) : 'm/s';
+  const unit = state ? shownUnit(state, true) : 'm/s';
   const spec: NumberSpec = {
     path: `${pointPath(draft)}.${name}`,
     label: state?.label ?? name,
     unit,
-    angle: state?.angle ?? false,
+    angle: state?.degrees ?? false,
     optional: true,
     rest: 0,
-    step: state?.angle ? 1 : 0.1,
+    step: state?.degrees ? 1 : 0.1,
     value: pointOf(draft)[name],
     base: origin && pointOf(origin)[name],
     commit: (value) => setPoint(ui, name, value),
   };
   return (
     <NumberField
-      symbol={state?.symbol ?? 'v'}
-      rate={state?.rate}
+      symbol={<MathSymbol of={state?.symbol ?? 'v'} rate={state?.rate} />}
       spec={spec}
       placeholder={words.rest}
       testId={`point-${name}`}
@@ -106,7 +105,7 @@ function Motion({
   system,
 }: {
   analysis: ControlAnalysis;
-  names: ReadonlyMap<string, StateName>;
+  names: ReadonlyMap<string, Column>;
   system: SystemView;
 }) {
   const { coordinates } = system.meta;
@@ -156,12 +155,11 @@ function Motion({
   );
 }
 
-function Fact({ state, value }: { state: StateName; value: number }) {
+function Fact({ state, value }: { state: Column; value: number }) {
   return (
     <span class="fact" title={state.label}>
-      <StateSymbol state={state} name={state.name} />
-      <span class="hidden">{state.label}</span>{' '}
-      {formatQuantity(value, state.angle ? state.unit.replace('rad', '°') : state.unit)}
+      <MathSymbol of={state.symbol} rate={state.rate} />
+      <span class="hidden">{state.label}</span> {formatQuantity(value, shownUnit(state, true))}
     </span>
   );
 }

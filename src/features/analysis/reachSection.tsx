@@ -1,15 +1,16 @@
 /** What the inputs reach, what no input reaches, and what the cost does not see. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { formatScientific } from '../../ui/kit/format.ts';
-import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 import { Movers } from './eigenvalues.tsx';
 import { eigenvalueText, reachRows } from './modes.ts';
-import type { StateName } from './names.ts';
+import type { Column } from '../../core/motion/columns.ts';
 
-type Names = ReadonlyMap<string, StateName>;
+type Names = ReadonlyMap<string, Column>;
 
 export function ReachSection({ analysis, names, meta }: { analysis: ControlAnalysis; names: Names; meta: SystemMeta }) {
   const {
@@ -47,7 +48,7 @@ export function ReachSection({ analysis, names, meta }: { analysis: ControlAnaly
 function Dots({ analysis, names, meta }: { analysis: ControlAnalysis; names: Names; meta: SystemMeta }) {
   const inputs = analysis.reachability.byInput;
   return (
-    <div class="table-scroll">
+    <TableScroll label={words.dots}>
       <table class="dots" data-testid="reach-dots">
         <caption>{words.dots}</caption>
         <thead>
@@ -78,7 +79,7 @@ function Dots({ analysis, names, meta }: { analysis: ControlAnalysis; names: Nam
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }
 

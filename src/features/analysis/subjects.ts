@@ -1,7 +1,7 @@
 /** What a root locus can be drawn against, and the range that is offered. */
 import type { LocusRequest } from '../../core/control/locus/scenarioLocus.ts';
 import type { SystemView } from '../../core/model/system.ts';
-import type { StateName } from './names.ts';
+import type { Column } from '../../core/motion/columns.ts';
 
 export interface LocusSubject {
   id: string;
@@ -9,6 +9,8 @@ export interface LocusSubject {
   name: string;
   label: string;
   symbol: string;
+  /** A dot stands above it. */
+  rate: boolean;
   /** As it is shown, and how many of it are one SI unit. */
   unit: string;
   factor: number;
@@ -22,19 +24,20 @@ const DEGREES = 180 / Math.PI;
 /** The speed first, then the other rates, then every parameter. */
 export function subjectsOf(
   { meta }: Pick<SystemView, 'meta'>,
-  names: ReadonlyMap<string, StateName>,
+  names: ReadonlyMap<string, Column>,
   speedWord: string,
 ): LocusSubject[] {
-  const aliases = meta.speed ? [point(meta.speed.name, speedWord, 'v', 'm/s', false)] : [];
+  const aliases = meta.speed ? [point(meta.speed.name, speedWord, 'v', 'm/s', false, false)] : [];
   const rates = [...names.values()]
     .filter((s) => s.rate || meta.order === 1)
-    .map((s) => point(s.name, s.label, s.symbol, s.angle ? '°/s' : s.unit, s.angle));
+    .map((s) => point(s.name, s.label, s.symbol, s.unit, s.degrees, s.rate));
   const parameters = meta.parameters.map((p): LocusSubject => ({
     id: `parameter.${p.name}`,
     vary: 'parameter',
     name: p.name,
     label: p.label,
     symbol: p.symbol,
+    rate: false,
     ...shown(p.unit, p.kind === 'angle'),
     least: p.min ?? (p.positive ? Number.MIN_VALUE : -Infinity),
     most: p.max ?? Infinity,
@@ -42,8 +45,18 @@ export function subjectsOf(
   return [...aliases, ...rates, ...parameters];
 }
 
-function point(name: string, label: string, symbol: string, unit: string, angle: boolean): LocusSubject {
-  return { id: `at.${name}`, vary: 'at', name, label, symbol, ...shown(unit, angle), least: -Infinity, most: Infinity };
+function point(name: string, label: string, symbol: string, unit: string, angle: boolean, rate: boolean): LocusSubject {
+  return {
+    id: `at.${name}`,
+    vary: 'at',
+    name,
+    label,
+    symbol,
+    rate,
+    ...shown(unit, angle),
+    least: -Infinity,
+    most: Infinity,
+  };
 }
 
 const shown = (unit: string, angle: boolean) => ({

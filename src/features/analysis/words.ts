@@ -1,6 +1,5 @@
 /** Words of the analysis. */
 export const words = {
-  rate: 'rate',
   parameters: 'Parameters',
   multipliers: 'Multipliers',
   lateral: 'lateral',

@@ -85,7 +85,7 @@ test('runs are kept, overlaid, subtracted and shown as ghosts; a file stands bes
     Z: 0.08,
   }));
   await drop(page, 'measured.csv', csvOf(rows, ['t', ...COORDINATES]));
-  await expect(id('compare-keep')).toHaveText('Keep this file');
+  await expect(id('compare-keep')).toHaveText('Pin this file');
   await id('compare-keep').click();
   await expect(id('kept-2')).toContainText('4 rows');
   await expect(id('difference-X')).toBeVisible();
@@ -126,7 +126,7 @@ test('a sweep over one number and over two: curve, map, table, cancel, and back 
     expect(distance! / (speed! * time!)).toBeCloseTo(1, 1);
   await id('sweep-curve').focus();
   await page.keyboard.press('ArrowRight');
-  await expect(id('sweep-read')).toContainText('X_dot = 1');
+  await expect(id('sweep-read')).toContainText('X = 1');
 
   await id('sweep-axis-1').selectOption('parameters.casterTrail');
   await id('sweep-count-1').fill('2');
@@ -134,10 +134,10 @@ test('a sweep over one number and over two: curve, map, table, cancel, and back 
   await expect(id('sweep-standing')).toHaveText('6 runs');
   await id('sweep-map').focus();
   for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp']) await page.keyboard.press(key);
-  await expect(id('sweep-read')).toContainText(/X_dot = 2.*casterTrail = 0.06/);
+  await expect(id('sweep-read')).toContainText(/X = 2.*c = 0.06/);
   await page.keyboard.press('Enter');
   await ended(page, 3, 'touchdown');
-  await expect(page.getByTestId('case-menu')).toContainText('casterTrail 0.06');
+  await expect(page.getByTestId('case-menu')).toContainText('0.06');
   const ends = await id('sweep-row-4').locator('td').nth(1).innerText();
   expect(await page.getByTestId('run-state').getAttribute('title')).toContain(Number(ends).toFixed(3));
 

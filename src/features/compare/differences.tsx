@@ -1,4 +1,5 @@
 /** One run less another: every column's numbers, and the curve of one. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
@@ -159,7 +160,7 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
     <>
       <p class="hint">{words.overTime(formatFixed(times[0]!, 3), formatFixed(times[times.length - 1]!, 3))}</p>
       <DifferencePlot key={`${drawn.info.name}`} line={drawn} />
-      <div class="table-scroll">
+      <TableScroll label={words.differences}>
         <table data-testid="difference-table">
           <thead>
             <tr>
@@ -209,7 +210,7 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <div class="compare-row">
         <span class="spring" />
         <button type="button" data-testid="difference-csv" onClick={save}>

@@ -1,11 +1,11 @@
 /** Chosen columns of every visible run over one axis; the time cursor is the scene's. */
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { download } from '../../app/files/download.ts';
 import { columnOf, groundCoordinates, spoken } from '../../core/motion/columns.ts';
 import { words } from './words.ts';
 import { Check, Icon, Section } from '../../ui/kit/controls.tsx';
 import { useUi } from '../../ui/context.ts';
+import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import type { Chart } from '../../charts/chart.ts';
 import { CurvePane } from './curvePane.tsx';
 import { Swatch } from './pinnedList.tsx';
@@ -31,11 +31,6 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
     columnOf(runs.find((run) => run.motion.trajectory.has(name))?.motion.system.meta ?? meta, name);
   const change = (id: number, column: string) => {
     panes.value = panes.value.map((pane) => (pane.id === id ? { ...pane, column } : pane));
-  };
-  const save = async () => {
-    const first = panes.value.map(({ id }) => charts.current.get(id)).find((chart) => chart !== undefined);
-    const blob = await first?.png();
-    if (blob) download('overlay.png', [blob], 'image/png');
   };
   return (
     <Section title={words.overlay} open>
@@ -94,9 +89,6 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
             {words.addPane}
           </button>
         )}
-        <button type="button" data-testid="overlay-png" onClick={() => void save()}>
-          {words.png}
-        </button>
       </div>
       <div>
         {panes.value.map(({ id, column }) => {
@@ -119,6 +111,11 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
                 </label>
                 <Legend runs={shown} />
                 <span class="spring" />
+                <SaveMenu
+                  title={`${words.overlay}, ${infoY.label}`}
+                  picture={() => charts.current.get(id)}
+                  testId={`overlay-${id}`}
+                />
                 {panes.value.length > 1 && (
                   <button
                     type="button"

@@ -1,3 +1,4 @@
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
 import { scenarioDifferences } from '../../core/scenario/scenarioDifference.ts';
 import { words } from './words.ts';
@@ -26,7 +27,7 @@ export function ScenarioTable({ runs }: { runs: readonly ShownRun[] }) {
     <Section title={words.scenarios} open>
       {!lines && <p class="hint">{words.noScenario}</p>}
       {lines?.length === 0 && <p class="hint">{words.same}</p>}
-      <div class="table-scroll">
+      <TableScroll label={words.scenarios}>
         <table data-testid="scenario-table" class="scenario-table">
           <thead>
             <tr>
@@ -62,7 +63,7 @@ export function ScenarioTable({ runs }: { runs: readonly ShownRun[] }) {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
     </Section>
   );
 }

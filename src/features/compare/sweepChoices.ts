@@ -2,8 +2,8 @@ import type { App } from '../../app/app.ts';
 import { systemMetas } from '../../app/store.ts';
 import { otherMethods, reportMethods } from '../../core/cases/methodSets.ts';
 import { columnOf, shownFactor, shownUnit, sumsOf, symbolOf } from '../../core/motion/columns.ts';
-import { words as plain, type Text } from '../../core/motion/symbols.ts';
-import { spaced, sweepPaths, type SweepAxis, type SweepPath } from '../../core/scenario/sweepAxes.ts';
+import { plainText as plainSymbol, symbolText, words as plain, type Text } from '../../core/motion/symbols.ts';
+import { spaced, sweepPaths, type SweepAxis, type SweepPath, type SweepValue } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
@@ -82,6 +82,45 @@ export function axisOf(form: AxisForm, paths: readonly SweepPath[]): SweepAxis {
     angle: subject.angle,
     values: shown.map((x) => ({ value: subject.angle ? x * DEGREE : x, label: formatShort(x, 6) })),
   };
+}
+
+/** What is varied as it is read: typeset, in words, and its values in the unit shown. */
+export interface AxisInfo {
+  symbol: Text;
+  /** With its unit, as it stands at an axis or over a column. */
+  title: Text;
+  label: string;
+  unit: string;
+  number(value: SweepValue): number;
+  text(value: SweepValue): string;
+}
+
+export function axisInfo(axis: SweepAxis, meta: SystemMeta, degrees: boolean): AxisInfo {
+  const unit = axis.angle && !degrees ? axis.unit.replace('°', 'rad') : axis.unit;
+  const factor = axis.angle && degrees ? 1 / DEGREE : 1;
+  const symbol = axisSymbol(axis, meta);
+  // As short as still tells its values apart.
+  const digits = [4, 6, 9].find(
+    (n) => new Set(axis.values.map(({ value }) => formatShort(value * factor, n))).size === axis.values.length,
+  );
+  return {
+    symbol,
+    title: unit === '' ? symbol : [...symbol, ...plain(`, ${unit}`)],
+    label: unit === '' ? plainSymbol(symbol) : `${plainSymbol(symbol)}, ${unit}`,
+    unit,
+    number: ({ value }) => value * factor,
+    text: ({ value, label, method }) => (method ? label : formatShort(value * factor, digits)),
+  };
+}
+
+/** Of a parameter or a state its own; all else by its name. */
+function axisSymbol({ path, label }: SweepAxis, meta: SystemMeta): Text {
+  const [first] = path.split('+');
+  const [, group, name] = /^(parameters|initial|control\.at)\.(.+)$/.exec(first!) ?? [];
+  const parameter = group === 'parameters' && meta.parameters.find((p) => p.name === name);
+  if (parameter) return symbolText(parameter.symbol);
+  if (name === meta.speed?.name && name !== undefined) return symbolText('v');
+  return group && group !== 'parameters' ? symbolOf(columnOf(meta, name!)) : plain(label);
 }
 
 /** `parameters.casterTrail` as one reads it. */

@@ -2,12 +2,12 @@ import { effect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { SweepPlan } from '../../app/runs/sweep.ts';
 import type { App } from '../../app/app.ts';
+import type { Chart } from '../../charts/chart.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark } from '../../charts/curves.ts';
 import { token } from '../../charts/tokens.ts';
-import type { SweepAxis } from '../../core/scenario/sweepAxes.ts';
 import type { Text } from '../../core/motion/symbols.ts';
-import { words as plain } from '../../core/motion/symbols.ts';
+import type { AxisInfo } from './sweepChoices.ts';
 import { words } from './words.ts';
 
 /** One measure of every run of a sweep, and what pointing at a run and picking one leads to. */
@@ -16,14 +16,16 @@ export interface SweepView {
   plan: SweepPlan;
   measure: number;
   factor: number;
+  /** Of what is varied. */
+  axes: readonly AxisInfo[];
   /** Of the measure, with its unit. */
   title: Text;
   label: string;
   onHover(job: number | null): void;
   onPick(job: number): void;
+  /** For what saves it. */
+  onChart(chart: Chart | null): void;
 }
-
-export const labelOf = ({ label, unit }: SweepAxis): string => (unit ? `${label}, ${unit}` : label);
 
 /** Values of a measure, run by run, in the unit shown; NaN while there is none. */
 export const measuredValues = ({ app, measure, factor }: SweepView, count: number): Float64Array =>
@@ -31,9 +33,9 @@ export const measuredValues = ({ app, measure, factor }: SweepView, count: numbe
 
 /** A measure against the one number that is varied. */
 export function SweepCurve(view: SweepView) {
-  const { app, plan, label, title, onHover, onPick } = view;
-  const axis = plan.axes[0]!;
-  const x = axis.values.map(({ value }) => (axis.angle ? (value * 180) / Math.PI : value));
+  const { app, plan, axes, label, title, onHover, onPick, onChart } = view;
+  const axis = axes[0]!;
+  const x = plan.axes[0]!.values.map((value) => axis.number(value));
   const ratio = x.length > 2 && x[0]! > 0 && Math.abs(x[1]! / x[0]! - x[2]! / x[1]!) < 1e-6 * (x[1]! / x[0]!);
   const at = useRef<number | null>(null);
   const latest = useRef(view);
@@ -45,7 +47,7 @@ export function SweepCurve(view: SweepView) {
   return (
     <ChartView
       key={`${plan.axes[0]!.path} ${view.measure}`}
-      label={words.sweep.curve(label, labelOf(axis))}
+      label={words.sweep.curve(label, axis.label)}
       testId="sweep-curve"
       options={{
         onHover: move,
@@ -57,9 +59,10 @@ export function SweepCurve(view: SweepView) {
         },
       }}
       attach={(chart) => {
+        onChart(chart);
         const draw = (): void =>
           chart.setPicture({
-            x: { title: plain(labelOf(axis)), kind: ratio ? 'logarithmic' : 'linear' },
+            x: { title: axis.title, kind: ratio ? 'logarithmic' : 'linear' },
             y: { title },
             marks: [
               curveMark({
@@ -80,6 +83,7 @@ export function SweepCurve(view: SweepView) {
         ];
         return () => {
           for (const stop of stops) stop();
+          onChart(null);
         };
       }}
     />

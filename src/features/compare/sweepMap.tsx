@@ -3,14 +3,14 @@ import { useRef } from 'preact/hooks';
 import type { Chart } from '../../charts/chart.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { cells, scaleColour } from '../../charts/marks.ts';
-import { words as plain } from '../../core/motion/symbols.ts';
-import { labelOf, measuredValues, type SweepView } from './sweepCurve.tsx';
+import { measuredValues, type SweepView } from './sweepCurve.tsx';
 import { words } from './words.ts';
 
 /** A measure over the two numbers that are varied. */
 export function SweepMap(view: SweepView) {
-  const { app, plan, label, title, onHover, onPick } = view;
+  const { app, plan, label, title, onHover, onPick, onChart } = view;
   const [first, second] = [plan.axes[0]!, plan.axes[1]!];
+  const [along, up] = [view.axes[0]!, view.axes[1]!];
   const [wide, tall] = [first.values.length, second.values.length];
   const chart = useRef<Chart | null>(null);
   const at = useRef<number | null>(null);
@@ -18,12 +18,11 @@ export function SweepMap(view: SweepView) {
   latest.current = view;
   const draw = (): void => {
     const map = cells(wide, tall, measuredValues(latest.current, wide * tall), at.current);
-    const names = (axis: typeof first): string[] => axis.values.map((v) => v.label);
     chart.current?.setPicture({
-      x: { title: plain(labelOf(first)), kind: 'steps', names: names(first), air: 0 },
-      y: { title: plain(labelOf(second)), kind: 'steps', names: names(second), air: 0 },
+      x: { title: along.title, kind: 'steps', names: first.values.map(along.text), air: 0 },
+      y: { title: up.title, kind: 'steps', names: second.values.map(up.text), air: 0 },
       marks: [map],
-      bar: { low: map.range[0], high: map.range[1], colour: scaleColour },
+      bar: { title, low: map.range[0], high: map.range[1], colour: scaleColour },
     });
   };
   const move = (cell: number | null) => {
@@ -35,7 +34,7 @@ export function SweepMap(view: SweepView) {
     <ChartView
       key={`${first.path} ${second.path} ${view.measure}`}
       class="tall"
-      label={words.sweep.map(label, labelOf(first), labelOf(second))}
+      label={words.sweep.map(label, along.label, up.label)}
       testId="sweep-map"
       options={{
         onHover: move,
@@ -54,19 +53,18 @@ export function SweepMap(view: SweepView) {
       }}
       values={() => {
         const values = measuredValues(latest.current, wide * tall);
-        const number = (axis: typeof first, i: number): number =>
-          axis.angle ? (axis.values[i]!.value * 180) / Math.PI : axis.values[i]!.value;
         return [
-          { title: plain(labelOf(first)), values: [...values.keys()].map((job) => number(first, job % wide)) },
+          { title: along.title, values: [...values.keys()].map((job) => along.number(first.values[job % wide]!)) },
           {
-            title: plain(labelOf(second)),
-            values: [...values.keys()].map((job) => number(second, Math.floor(job / wide))),
+            title: up.title,
+            values: [...values.keys()].map((job) => up.number(second.values[Math.floor(job / wide)]!)),
           },
           { title, values: [...values] },
         ];
       }}
       attach={(made) => {
         chart.current = made;
+        onChart(made);
         const stops = [
           effect(() => {
             void app.sweep.version.value;
@@ -77,6 +75,7 @@ export function SweepMap(view: SweepView) {
         return () => {
           for (const stop of stops) stop();
           chart.current = null;
+          onChart(null);
         };
       }}
     />

@@ -1,3 +1,4 @@
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
@@ -7,7 +8,7 @@ import { text } from '../../ui/words.ts';
 import { useUi } from '../../ui/context.ts';
 import { csvText } from './csvText.ts';
 import { TextView } from '../../charts/textView.tsx';
-import { measureText, titleOf, type MeasureInfo } from './sweepChoices.ts';
+import { measureText, titleOf, type AxisInfo, type MeasureInfo } from './sweepChoices.ts';
 
 const own = words.sweep;
 /** Rows on a page of the table: more would make every renewal felt. */
@@ -15,10 +16,12 @@ const PAGE = 50;
 
 export function SweepTable({
   plan,
+  axes,
   infos,
   onPick,
 }: {
   plan: SweepPlan;
+  axes: readonly AxisInfo[];
   infos: readonly MeasureInfo[];
   onPick(job: number): void;
 }) {
@@ -31,17 +34,15 @@ export function SweepTable({
   const pages = Math.ceil(total / PAGE);
   const from = Math.min(page.value, pages - 1) * PAGE;
   const jobs = Array.from({ length: Math.min(PAGE, total - from) }, (_, i) => from + i);
-  const unit = (u: string) => u && <span class="unit"> {u}</span>;
   return (
     <>
-      <div class="table-scroll">
+      <TableScroll label={own.table}>
         <table data-testid="sweep-table">
           <thead>
             <tr>
-              {plan.axes.map((a) => (
-                <th key={a.path} scope="col">
-                  {a.label}
-                  {unit(a.unit)}
+              {plan.axes.map(({ path }, a) => (
+                <th key={path} scope="col">
+                  <TextView of={axes[a]!.title} />
                 </th>
               ))}
               {infos.map((m) => (
@@ -57,11 +58,19 @@ export function SweepTable({
           </thead>
           <tbody>
             {jobs.map((job) => (
-              <Row key={job} plan={plan} job={job} result={sweep.results[job]} infos={infos} onPick={onPick} />
+              <Row
+                key={job}
+                plan={plan}
+                axes={axes}
+                job={job}
+                result={sweep.results[job]}
+                infos={infos}
+                onPick={onPick}
+              />
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <div class="compare-row">
         {pages > 1 && (
           <>
@@ -102,12 +111,14 @@ export function SweepTable({
 /** One run; the same element as long as its result is, so that a renewal costs only what is new. */
 function Row({
   plan,
+  axes,
   job,
   result,
   infos,
   onPick,
 }: {
   plan: SweepPlan;
+  axes: readonly AxisInfo[];
   job: number;
   result: SweepResult | undefined;
   infos: readonly MeasureInfo[];
@@ -118,7 +129,7 @@ function Row({
       <tr data-testid={`sweep-row-${job}`}>
         {valuesAt(plan, job).map((v, a) => (
           <th key={a} scope={a === 0 ? 'row' : undefined}>
-            {v.label}
+            {axes[a]!.text(v)}
           </th>
         ))}
         {infos.map((m, i) => (
@@ -138,7 +149,7 @@ function Row({
         </td>
       </tr>
     ),
-    [plan, job, result, infos.map((m) => m.factor).join()],
+    [plan, job, result, infos.map((m) => m.factor).join(), axes.map((a) => a.unit).join()],
   );
 }
 

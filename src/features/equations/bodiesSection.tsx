@@ -1,6 +1,6 @@
 import type { TypesetBody } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
-import { Chip } from '../../ui/kit/symbol.tsx';
+import { Chip } from '../../ui/kit/chip.tsx';
 import { useBook } from './context.ts';
 import { Formula } from './formula.tsx';
 

@@ -1,10 +1,11 @@
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { CoordinateMeta } from '../../core/model/system.ts';
 import type { Motion } from '../../app/runs/motion.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatValue } from '../../ui/kit/format.ts';
 import { sample, useSlowTime } from '../../ui/slowTime.ts';
-import { Chip } from '../../ui/kit/symbol.tsx';
+import { Chip } from '../../ui/kit/chip.tsx';
 import { useBook } from './context.ts';
 import { Formula, Letter } from './formula.tsx';
 
@@ -17,7 +18,7 @@ export function CoordinatesSection() {
   return (
     <>
       {/* scrolls by keys where it is wider than the tool */}
-      <div class="table-scroll" tabIndex={0} role="region" aria-label={equations.sections.coordinates}>
+      <TableScroll label={equations.sections.coordinates}>
         <table data-testid="equations-coordinates">
           <thead>
             <tr>
@@ -37,7 +38,7 @@ export function CoordinatesSection() {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       {typeset.letters.length > 0 && <h4>{equations.headings.letters}</h4>}
       {typeset.letters.map((latex, i) => (
         <Formula key={i} latex={latex} title={`${equations.headings.letters} ${i + 1}`} />

@@ -1,10 +1,11 @@
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { Motion } from '../../app/runs/motion.ts';
 import type { InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort, THIN } from '../../ui/kit/format.ts';
 import { sample, useSlowTime } from '../../ui/slowTime.ts';
-import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useBook } from './context.ts';
 import { Letter } from './formula.tsx';
 
@@ -18,7 +19,7 @@ export function InputsSection() {
   if (meta.order === 1) return <p class="hint">{words.none}</p>;
   return (
     <>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label={equations.sections.inputs}>
+      <TableScroll label={equations.sections.inputs}>
         <table data-testid="equations-inputs">
           <thead>
             <tr>
@@ -35,7 +36,7 @@ export function InputsSection() {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <p class="hint">{words.raw}</p>
     </>
   );

@@ -1,5 +1,5 @@
 /** M, h, B u and the constraint rows at the time on the stage, named by row and column. */
-import type { ComponentChildren } from 'preact';
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { Motion } from '../../app/runs/motion.ts';
 import { equations } from './words.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
@@ -44,15 +44,6 @@ function Rate({ present }: { present: Present }) {
   );
 }
 
-/** A table that scrolls sideways in its box, also by keys. */
-function Scrolling({ title, children }: { title: string; children: ComponentChildren }) {
-  return (
-    <div class="table-scroll matrix" tabIndex={0} role="region" aria-label={title}>
-      {children}
-    </div>
-  );
-}
-
 /** A number of a matrix; a structural zero is quiet. */
 function Entry({ value }: { value: number }) {
   const zero = Math.abs(value) < 1e-15;
@@ -66,7 +57,7 @@ function MassTable({ present: { n, mass, condition }, motion }: { present: Prese
   const hold = motion.scenario?.hold ?? [];
   return (
     <>
-      <Scrolling title={words.mass}>
+      <TableScroll label={words.mass} class="matrix">
         <table data-testid="equations-mass">
           <caption>{words.mass}</caption>
           <thead>
@@ -94,7 +85,7 @@ function MassTable({ present: { n, mass, condition }, motion }: { present: Prese
             ))}
           </tbody>
         </table>
-      </Scrolling>
+      </TableScroll>
       <p class="hint" data-testid="equations-condition">
         {condition === null ? words.indefinite : words.condition(formatShort(condition, 3))}
       </p>
@@ -108,7 +99,7 @@ function VectorTable({ present }: { present: Present }) {
   const constraint = constraintForce(present);
   return (
     <>
-      <Scrolling title={words.vectors}>
+      <TableScroll label={words.vectors} class="matrix">
         <table data-testid="equations-vectors">
           <caption>{words.vectors}</caption>
           <thead>
@@ -144,7 +135,7 @@ function VectorTable({ present }: { present: Present }) {
             ))}
           </tbody>
         </table>
-      </Scrolling>
+      </TableScroll>
       {present.inputs === null && <p class="hint">{words.unknownInputs}</p>}
     </>
   );
@@ -166,7 +157,7 @@ function OmegaTable({
   if (m === 0) return <p class="hint">{words.noConstraints}</p>;
   return (
     <>
-      <Scrolling title={words.omega}>
+      <TableScroll label={words.omega} class="matrix">
         <table data-testid="equations-omega">
           <caption>{words.omega}</caption>
           <thead>
@@ -200,7 +191,7 @@ function OmegaTable({
             ))}
           </tbody>
         </table>
-      </Scrolling>
+      </TableScroll>
       {computed && <p class="hint">{words.computed}</p>}
     </>
   );

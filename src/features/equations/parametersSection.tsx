@@ -1,3 +1,4 @@
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { ParameterMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
@@ -12,7 +13,7 @@ export function ParametersSection() {
   const { meta } = useBook().view;
   const values = useUi().app.state.motion.value?.parameters;
   return (
-    <div class="table-scroll" tabIndex={0} role="region" aria-label={equations.sections.parameters}>
+    <TableScroll label={equations.sections.parameters}>
       <table data-testid="equations-parameters">
         <thead>
           <tr>
@@ -33,7 +34,7 @@ export function ParametersSection() {
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }
 

@@ -7,7 +7,7 @@ import { ExpressionField } from '../../ui/kit/expressionField.tsx';
 import { later } from '../../ui/kit/later.tsx';
 import { firstLqr } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
@@ -31,7 +31,7 @@ export function InputsSection() {
         <ExpressionField
           key={`${system.meta.id}.${input.name}`}
           path={`inputs.${input.name}`}
-          symbol={input.symbol}
+          symbol={<MathSymbol of={input.symbol} />}
           label={input.label}
           unit={input.unit}
           testId={`input-${input.name}`}
@@ -117,7 +117,7 @@ function Track({ control }: { control: TrackControl }) {
           <ExpressionField
             key={`${system.meta.id}.${input.name}`}
             path={`control.reference.${input.name}`}
-            symbol={input.symbol}
+            symbol={<MathSymbol of={input.symbol} />}
             unit={words.reference}
             label={input.tracks!.join(' + ')}
             shown={trackedName(input.tracks!, system.meta.coordinates)}
@@ -128,8 +128,8 @@ function Track({ control }: { control: TrackControl }) {
             commit={(value) => refer(input.name, value)}
           />
         ))}
-      <NumberField symbol="k_p" spec={gain('kp')} testId="control-kp" />
-      <NumberField symbol="k_d" spec={gain('kd')} testId="control-kd" />
+      <NumberField symbol={<MathSymbol of="k_p" />} spec={gain('kp')} testId="control-kp" />
+      <NumberField symbol={<MathSymbol of="k_d" />} spec={gain('kd')} testId="control-kd" />
       <p class="hint">{words.trackHint}</p>
     </>
   );

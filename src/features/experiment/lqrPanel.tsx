@@ -1,4 +1,5 @@
 /** LQR in the panel: inputs, operating point, a weight for every state and input; the running motion goes on with each change. */
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useSignal } from '@preact/signals';
 import type { LqrControl, NumberOrExpression } from '../../core/scenario/types.ts';
 import type { CoordinateMeta, InputMeta, SystemMeta } from '../../core/model/system.ts';
@@ -132,8 +133,7 @@ function OperatingPoint({ control, meta, change }: Part) {
         return (
           <NumberField
             key={name}
-            symbol={coordinate?.symbol ?? 'v'}
-            rate={rate && coordinate !== undefined}
+            symbol={<MathSymbol of={coordinate?.symbol ?? 'v'} rate={rate && coordinate !== undefined} />}
             testId={`lqr-at-${name}`}
             spec={{
               path: `control.at.${name}`,
@@ -161,7 +161,7 @@ function Schedule({ control: { schedule }, change }: Part) {
   const field = (key: 'from' | 'to') => (
     <NumberField
       key={key}
-      symbol={lqrWords.scheduleEnds[key]}
+      symbol={<MathSymbol of={lqrWords.scheduleEnds[key]} />}
       testId={`lqr-schedule-${key}`}
       spec={{
         path: `control.schedule.${key}`,
@@ -240,7 +240,7 @@ function Weights({ control, meta, change }: Part) {
         {chosenInputs(control, meta).map((input) => (
           <NumberField
             key={input.name}
-            symbol={input.symbol}
+            symbol={<MathSymbol of={input.symbol} />}
             placeholder={lqrWords.none}
             testId={`lqr-limit-${input.name}`}
             spec={{
@@ -287,8 +287,7 @@ function Weight({
   return (
     <div class="weight">
       <NumberField
-        symbol={symbol}
-        rate={rate}
+        symbol={<MathSymbol of={symbol} rate={rate} />}
         testId={`weight-${name}`}
         spec={{
           path: `control.${kind}.${name}`,

@@ -1,3 +1,4 @@
+import { MathSymbol } from '../../charts/textView.tsx';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import type { MethodOptions, ScenarioFile } from '../../core/scenario/types.ts';
 import { edit, useUi } from '../../ui/context.ts';
@@ -71,11 +72,20 @@ export function MethodSection() {
         testId="method-formulation"
         onChange={(id) => set('formulation', id === NONE ? undefined : id)}
       />
-      {adaptive && <NumberField symbol="rtol" spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />}
-      {adaptive && <NumberField symbol="atol" spec={spec('atol', methodDefaults.atol)} testId="method-atol" />}
-      <NumberField symbol="h" spec={spec('step')} placeholder={words.auto} testId="method-step" />
       {adaptive && (
-        <NumberField symbol="h_max" spec={spec('maxStep')} placeholder={words.auto} testId="method-maxStep" />
+        <NumberField symbol={<MathSymbol of="rtol" />} spec={spec('rtol', methodDefaults.rtol)} testId="method-rtol" />
+      )}
+      {adaptive && (
+        <NumberField symbol={<MathSymbol of="atol" />} spec={spec('atol', methodDefaults.atol)} testId="method-atol" />
+      )}
+      <NumberField symbol={<MathSymbol of="h" />} spec={spec('step')} placeholder={words.auto} testId="method-step" />
+      {adaptive && (
+        <NumberField
+          symbol={<MathSymbol of="h_max" />}
+          spec={spec('maxStep')}
+          placeholder={words.auto}
+          testId="method-maxStep"
+        />
       )}
       <Check
         label={words.projection}
@@ -109,8 +119,8 @@ export function TimeSection() {
   const constraints = draft.constraints ?? system?.meta.constraintSets[0]?.id;
   return (
     <Section title={words.time} open>
-      <NumberField symbol="T" spec={spec('duration')} testId="duration" />
-      <NumberField symbol="Δt" spec={spec('outputStep')} testId="output-step" />
+      <NumberField symbol={<MathSymbol of="T" />} spec={spec('duration')} testId="duration" />
+      <NumberField symbol={<MathSymbol of="Δt" />} spec={spec('outputStep')} testId="output-step" />
       {system?.meta.touchdown && constraints !== 'none' && (
         <Choice
           label={words.touchdown(system.meta.touchdown.label)}

@@ -1,3 +1,4 @@
+import { MathSymbol } from '../../charts/textView.tsx';
 import type { ParameterMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
@@ -66,5 +67,5 @@ function ParameterField({ meta, parameter: p }: { meta: SystemMeta; parameter: P
         withEntry(now, 'parameters', p.name, numberOf(value, standard) === standard ? undefined : value),
       ),
   };
-  return <NumberField symbol={p.symbol} spec={spec} testId={`parameter-${p.name}`} note={p.note} />;
+  return <NumberField symbol={<MathSymbol of={p.symbol} />} spec={spec} testId={`parameter-${p.name}`} note={p.note} />;
 }

@@ -7,7 +7,8 @@ import { Section } from '../../ui/kit/controls.tsx';
 import { withEntry } from '../../app/state/draft.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
 import { FieldError, NumberBox, NumberField } from '../../ui/kit/numberField.tsx';
-import { Chip, MathSymbol } from '../../ui/kit/symbol.tsx';
+import { Chip } from '../../ui/kit/chip.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words as kit } from '../../ui/kit/words.ts';
 import { words } from './words.ts';
 import { useNumberField } from '../../ui/kit/useNumberField.ts';
@@ -62,7 +63,7 @@ function SpeedField({ speed: { name, label } }: { speed: NonNullable<SystemMeta[
         base: ui.origin.value?.scenario.initial?.[name],
         commit: (value) => edit(ui, label, (draft) => withEntry(draft, 'initial', name, value)),
       }}
-      symbol="v"
+      symbol={<MathSymbol of="v" />}
     />
   );
 }

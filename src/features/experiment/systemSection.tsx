@@ -1,7 +1,7 @@
 import { edit, replaceDraft, useUi } from '../../ui/context.ts';
 import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';
-import { MathSymbol } from '../../ui/kit/symbol.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 
 export function SystemSection() {

@@ -1,4 +1,5 @@
 /** Asks for the time step of a file that has neither header nor time column. */
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useRef, useState } from 'preact/hooks';
 import type { PendingFile } from '../../app/files/fileState.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
@@ -37,7 +38,7 @@ function StepForm({ pending }: { pending: PendingFile }) {
         <p>{words.stepAsk(pending.name)}</p>
         <NumberField
           testId="step-field"
-          symbol="Δt"
+          symbol={<MathSymbol of="Δt" />}
           spec={{
             path: 'file.step',
             label: words.step,

@@ -1,8 +1,9 @@
 /** One scenario, many methods: the report's Table 1, live. */
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useComputed, useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { download } from '../../app/files/download.ts';
+import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import type { Comparison, Outcome } from '../../app/runs/comparison.ts';
 import { methodSets, type MethodChoice, type MethodSet } from '../../core/cases/methodSets.ts';
 import type { MethodOptions } from '../../core/scenario/types.ts';
@@ -61,12 +62,11 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
   const column = useSignal(columns.includes(set.column) ? set.column : coordinates[0]!.name);
   const projection = useSignal(true);
   const problem = useSignal('');
+  /** Once they run, those that do not are out of the way. */
+  const folded = useSignal(false);
+  const label = (name: string): string => (name === PRECISION ? words.precision : columnOf(meta, name).label);
   const busy = useComputed(() => comparison.busy);
   const chart = useRef<Chart | null>(null);
-  const save = async () => {
-    const blob = await chart.current?.png();
-    if (blob) download('methods.png', [blob], 'image/png');
-  };
   const start = () => {
     problem.value = '';
     try {
@@ -77,6 +77,7 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
           method: { ...c.method, ...settings.value.get(c.id), ...(projection.value ? {} : { projection: false }) },
         }));
       ui.app.actions.compare(contenders, set.scenario);
+      folded.value = true;
     } catch (error) {
       problem.value = (error as Error).message;
     }
@@ -87,37 +88,6 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
   return (
     <div class="methods">
       <p>{set.scenario ? words.aboutSet(set.label) : words.about(ui.origin.value?.title ?? text.ownScenario)}</p>
-      <div class="methods-table">
-        <table data-testid="methods-table">
-          <thead>
-            <tr>
-              {words.columns.map((c) => (
-                <th key={c} scope="col">
-                  {c}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {all.map((choice) => (
-              <Row
-                key={choice.id}
-                choice={choice}
-                outcome={comparison.outcomes.value.find((o) => o.contender.id === choice.id)}
-                index={comparison.outcomes.value.findIndex((o) => o.contender.id === choice.id)}
-                settings={{ ...choice.method, ...settings.value.get(choice.id) }}
-                chosen={chosen}
-                onChange={change}
-              />
-            ))}
-          </tbody>
-        </table>
-      </div>
-      {problem.value && (
-        <p class="field-error" role="alert">
-          {problem.value}
-        </p>
-      )}
       <div class="dialog-buttons">
         <button
           type="button"
@@ -131,22 +101,6 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
         <button type="button" data-testid="methods-cancel" disabled={!busy.value} onClick={() => comparison.stop()}>
           {text.panel.cancel}
         </button>
-        <label>
-          {words.curve}{' '}
-          <select
-            data-testid="methods-column"
-            value={column.value}
-            onChange={(e) => {
-              column.value = e.currentTarget.value;
-            }}
-          >
-            {columns.map((c) => (
-              <option key={c} value={c}>
-                {c === PRECISION ? words.precision : columnOf(meta, c).label}
-              </option>
-            ))}
-          </select>
-        </label>
         <Check
           label={words.projection}
           checked={projection.value}
@@ -164,14 +118,75 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
         >
           {words.csv}
         </button>
+      </div>
+      {problem.value && (
+        <p class="field-error" role="alert">
+          {problem.value}
+        </p>
+      )}
+      <TableScroll label={words.title}>
+        <table data-testid="methods-table">
+          <thead>
+            <tr>
+              {words.columns.map((c) => (
+                <th key={c} scope="col">
+                  {c}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {(folded.value ? all.filter(({ id }) => chosen.value.has(id)) : all).map((choice) => (
+              <Row
+                key={choice.id}
+                choice={choice}
+                outcome={comparison.outcomes.value.find((o) => o.contender.id === choice.id)}
+                index={comparison.outcomes.value.findIndex((o) => o.contender.id === choice.id)}
+                settings={{ ...choice.method, ...settings.value.get(choice.id) }}
+                chosen={chosen}
+                onChange={change}
+              />
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      {all.length > chosen.value.size && (
         <button
           type="button"
-          data-testid="methods-png"
-          disabled={comparison.outcomes.value.length === 0}
-          onClick={() => void save()}
+          class="link"
+          data-testid="methods-all"
+          aria-pressed={!folded.value}
+          onClick={() => {
+            folded.value = !folded.value;
+          }}
         >
-          {words.png}
+          {folded.value ? words.showAll(all.length) : words.showChosen}
         </button>
+      )}
+      <div class="methods-row">
+        <label>
+          {words.curve}{' '}
+          <select
+            data-testid="methods-column"
+            value={column.value}
+            onChange={(e) => {
+              column.value = e.currentTarget.value;
+            }}
+          >
+            {columns.map((c) => (
+              <option key={c} value={c}>
+                {label(c)}
+              </option>
+            ))}
+          </select>
+        </label>
+        <span class="spring" />
+        <SaveMenu
+          title={words.plot(label(column.value))}
+          picture={() => chart.current}
+          testId="methods"
+          disabled={comparison.outcomes.value.length === 0}
+        />
       </div>
       <MethodChart
         comparison={comparison}
@@ -207,6 +222,7 @@ function Row({
   };
   const counts = outcome?.counts;
   const curve = index >= 0 ? CURVES[index % CURVES.length]! : null;
+  const settingsShown = chosen.value.has(choice.id);
   const keys = (['step', 'rtol', 'atol', 'stages'] as const).filter((key) => settings[key] !== undefined);
   return (
     <tr data-testid={`method-row-${choice.id}`}>
@@ -227,24 +243,26 @@ function Row({
             />
           </svg>
         )}
-        <span class="settings">
-          {keys.map((key) => (
-            <label key={key}>
-              {key}{' '}
-              <input
-                type="text"
-                inputMode="decimal"
-                value={short(settings[key]!)}
-                aria-label={`${choice.label}, ${key}`}
-                onChange={(event) => {
-                  const value = Number(event.currentTarget.value);
-                  if (value > 0 && value < Infinity) onChange(choice.id, key, value);
-                  else event.currentTarget.value = short(settings[key]!);
-                }}
-              />
-            </label>
-          ))}
-        </span>
+        {settingsShown && (
+          <span class="settings">
+            {keys.map((key) => (
+              <label key={key}>
+                {key}{' '}
+                <input
+                  type="text"
+                  inputMode="decimal"
+                  value={short(settings[key]!)}
+                  aria-label={`${choice.label}, ${key}`}
+                  onChange={(event) => {
+                    const value = Number(event.currentTarget.value);
+                    if (value > 0 && value < Infinity) onChange(choice.id, key, value);
+                    else event.currentTarget.value = short(settings[key]!);
+                  }}
+                />
+              </label>
+            ))}
+          </span>
+        )}
       </th>
       <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
       <td>{counts ? formatDrift(counts) : '–'}</td>

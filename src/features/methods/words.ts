@@ -2,7 +2,7 @@
 export const words = {
   title: 'Compare methods',
   about: (title: string) =>
-    `“${title}” as it stands in the panel, run with each chosen method in a worker of its own. Beside each of the report's four stands what its Table 1 has for the falling board.`,
+    `“${title}” as it stands in the panel, run with each chosen method in a worker of its own. Beside the four methods of the 2017 report stands what its Table 1 gives for the falling board: computing time for the time reached.`,
   aboutSet: (label: string) =>
     `${label}: the panel is left as it is, and each chosen method runs in a worker of its own.`,
   columns: [
@@ -15,13 +15,14 @@ export const words = {
     'reached, s',
     'ended',
   ],
-  run: 'Run them',
+  run: 'Run the chosen ones',
   set: 'Compare',
   projection: 'project onto the constraints',
   curve: 'Curve',
   csv: 'Table as CSV',
-  png: 'Picture',
-  report: (seconds: number, reached: number) => `report: ${reached} s in ${seconds} s`,
+  showAll: (n: number) => `Show all ${n} methods`,
+  showChosen: 'Show the chosen ones only',
+  report: (seconds: number, reached: number) => `report: ${seconds} s for ${reached} s`,
   states: { waiting: 'waiting', computing: 'computing' },
   precision: 'precision for the time it took',
   computing: 'computing time, s',

@@ -1,12 +1,14 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
 import type { Motion } from '../../app/runs/motion.ts';
-import type { ColourRole, CoordinateMeta } from '../../core/model/system.ts';
-import type { Trajectory } from '../../core/motion/trajectory.ts';
+import type { ColourRole } from '../../core/model/system.ts';
+import { columnOf, shownUnit, sumsOf } from '../../core/motion/columns.ts';
+import { valuesOf } from '../../core/motion/columnValues.ts';
 import { useUi } from '../../ui/context.ts';
 import { Slot } from '../../ui/slot.tsx';
 import { sample, useSlowTime } from '../../ui/slowTime.ts';
 import { formatFixed, formatTime, formatValue, THIN } from '../../ui/kit/format.ts';
-import { Chip, MathSymbol } from '../../ui/kit/symbol.tsx';
+import { Chip } from '../../ui/kit/chip.tsx';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 
 /** With what the features have to say of what is on the stage. */
@@ -46,8 +48,8 @@ export function NowPanel() {
           </tr>
         </thead>
         <tbody>
-          {motion.system.meta.coordinates.map((c) => (
-            <Row key={c.name} coordinate={c} trajectory={motion.trajectory} time={time} />
+          {rowsOf(motion).map((name) => (
+            <Row key={name} motion={motion} name={name} time={time} />
           ))}
         </tbody>
       </table>
@@ -56,30 +58,33 @@ export function NowPanel() {
   );
 }
 
-function Row({
-  coordinate: c,
-  trajectory,
-  time,
-}: {
-  coordinate: CoordinateMeta;
-  trajectory: Trajectory;
-  time: number;
-}) {
-  const [value, rate] = [sample(trajectory, c.name, time), sample(trajectory, `${c.name}_dot`, time)];
-  const angle = c.kind === 'angle';
+/** Coordinates, then what is a sum of them (the plates' own rolls). */
+function rowsOf({ system: { meta }, trajectory }: Motion): string[] {
+  const sums = sumsOf(meta, (name) => trajectory.has(name)).filter((name) => !columnOf(meta, name).rate);
+  return [...meta.coordinates.map(({ name }) => name), ...sums];
+}
+
+function Row({ motion, name, time }: { motion: Motion; name: string; time: number }) {
+  const c = columnOf(motion.system.meta, name);
+  const at = (column: string): number | null => {
+    const value = valuesOf(motion, column).at(time);
+    return Number.isFinite(value) ? value : null;
+  };
+  const [value, rate] = [at(name), at(`${name}_dot`)];
+  const kind = c.degrees ? 'angle' : 'length';
   return (
     <tr>
       <th scope="row" title={c.label}>
-        <Chip role={c.role} />
+        <Chip role={c.role ?? 'neutral'} />
         <MathSymbol of={c.symbol} />
         <span class="hidden">{c.label}</span>
       </th>
-      <td class="number" data-testid={`now-${c.name}`}>
-        {value === null ? '–' : formatValue(value, c.kind)}
+      <td class="number" data-testid={`now-${name}`}>
+        {value === null ? '–' : formatValue(value, kind)}
       </td>
-      <td class="unit">{angle ? '°' : 'm'}</td>
-      <td class="number">{rate === null ? '–' : formatValue(rate, c.kind)}</td>
-      <td class="unit">{rate === null ? '' : angle ? '°/s' : 'm/s'}</td>
+      <td class="unit">{shownUnit(c, true)}</td>
+      <td class="number">{rate === null ? '–' : formatValue(rate, kind)}</td>
+      <td class="unit">{rate === null ? '' : `${shownUnit(c, true)}/s`}</td>
     </tr>
   );
 }

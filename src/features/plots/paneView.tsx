@@ -8,12 +8,12 @@ import { axisText, shownFactor, type Column } from '../../core/motion/columns.ts
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
-import { Menu } from '../../ui/kit/menu.tsx';
+import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import { useSlowTime } from '../../ui/slowTime.ts';
 import { dotsOf, infoIn, limits, nearestTime, pictureOf } from './drawing.ts';
 import { Legend } from './legend.tsx';
 import type { PaneProps } from './paneProps.ts';
-import { saveCsv, savePng, saveSvg } from './save.ts';
+import { saveCsv } from './save.ts';
 import { text } from './words.ts';
 
 /** Curves grow at most so often, ms. */
@@ -56,18 +56,12 @@ export function PaneView(props: PaneProps) {
             {options}
           </select>
         </label>
-        <Menu
-          label={`${text.save}: ${pane.title}`}
-          testId="plot-save"
-          align="right"
-          items={[
-            { id: 'png', title: text.png, testId: 'plot-png', choose: () => void savePng(chart.current, pane.title) },
-            { id: 'svg', title: text.svg, testId: 'plot-svg', choose: () => saveSvg(chart.current, pane.title) },
-            { id: 'csv', title: text.csv, testId: 'plot-csv', choose: () => saveCsv(latest.current) },
-          ]}
-        >
-          <Icon name="export" />
-        </Menu>
+        <SaveMenu
+          title={pane.title}
+          picture={() => chart.current}
+          testId="plot"
+          more={[{ id: 'csv', title: text.csv, testId: 'plot-csv', choose: () => saveCsv(latest.current) }]}
+        />
         <button
           type="button"
           class="quiet square"

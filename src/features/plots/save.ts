@@ -1,24 +1,9 @@
-/** A plot as a picture or as numbers. */
+/** A plot as numbers. */
 import { download } from '../../app/files/download.ts';
-import type { Chart } from '../../charts/chart.ts';
 import { writeCsv } from '../../csv/csv.ts';
+import { fileName } from '../../ui/kit/saveMenu.tsx';
 import { limits } from './drawing.ts';
 import type { PaneProps } from './paneProps.ts';
-
-const fileName = (title: string): string =>
-  title
-    .replace(/[^\w-]+/g, '-')
-    .replace(/^-|-$/g, '')
-    .toLowerCase() || 'plot';
-
-export async function savePng(chart: Chart | null, title: string): Promise<void> {
-  const blob = await chart?.png();
-  if (blob) download(`${fileName(title)}.png`, [blob], 'image/png');
-}
-
-export function saveSvg(chart: Chart | null, title: string): void {
-  if (chart) download(`${fileName(title)}.svg`, [chart.svg(title)], 'image/svg+xml');
-}
 
 /** Every row of the times that are shown, SI and radians. */
 export function saveCsv({ pane, motion, values, range }: PaneProps): void {

@@ -6,7 +6,6 @@ import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import { setRejected, useUi } from '../context.ts';
 import { plainText } from './format.ts';
 import { FieldError } from './numberField.tsx';
-import { MathSymbol } from './symbol.tsx';
 import { words } from './words.ts';
 
 function problemOf(expression: string): string | null {
@@ -31,7 +30,7 @@ export function ExpressionField({
   commit,
 }: {
   path: string;
-  symbol: string;
+  symbol: ComponentChildren;
   label: string;
   /** The label as it is set, when it holds symbols. */
   shown?: ComponentChildren;
@@ -65,9 +64,7 @@ export function ExpressionField({
   const error = own ?? ui.app.state.draftErrors.value.get(path) ?? null;
   return (
     <div class="field expression">
-      <span class="handle still">
-        <MathSymbol of={symbol} />
-      </span>
+      <span class="handle still">{symbol}</span>
       <label for={id} class="name">
         {shown}, {unit}
       </label>

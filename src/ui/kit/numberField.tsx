@@ -1,6 +1,6 @@
+import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
 import { formatQuantity, formatShort, isExpression, toShown } from './format.ts';
-import { MathSymbol } from './symbol.tsx';
 import { words } from './words.ts';
 import { numberOf, useNumberField } from './useNumberField.ts';
 import type { NumberSpec } from './useNumberField.ts';
@@ -69,15 +69,13 @@ export function FieldError({ id, error }: { id: string; error: string | null }) 
 /** One row: symbol, name, value, unit. */
 export function NumberField({
   symbol,
-  rate,
   spec,
   testId,
   placeholder,
   note,
 }: {
-  symbol?: string;
-  /** The symbol is that of a rate. */
-  rate?: boolean | undefined;
+  /** Typeset by whoever knows what it means. */
+  symbol?: ComponentChildren;
   spec: NumberSpec;
   testId?: string;
   placeholder?: string;
@@ -89,7 +87,7 @@ export function NumberField({
     <div class="field">
       {symbol !== undefined && (
         <span class="handle" title={words.scrub} {...field.scrub}>
-          <MathSymbol of={symbol} rate={rate} />
+          {symbol}
         </span>
       )}
       <label for={id} class="name" title={note}>

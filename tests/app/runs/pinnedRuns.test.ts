@@ -49,7 +49,7 @@ test('pins what is on the stage once, each under a name and a style of its own',
     expect(pinned.pin()).not.toBeNull();
   }
   expect(pinned.pin()).toBeNull();
-  expect(titles()).toEqual(['There is nothing to keep', 'This run is kept already']);
+  expect(titles()).toEqual(['There is nothing to pin', 'This run is pinned already']);
   expect(names(pinned)).toEqual(['Board', 'Board (2)', 'Board (3)']);
   expect(pinned.runs.value.map((r) => r.style)).toEqual([0, 1, 2]);
   expect(pinned.ofStage()?.motion.id).toBe(3);
@@ -107,7 +107,7 @@ test('there is an end to it: as many as curves are told apart, as much as memory
   Object.defineProperty(large.trajectory, 'length', { value: 20e6 });
   stage.setMotion(large);
   expect(pinned.pin()).toBeNull();
-  expect(titles()).toEqual(['No more runs can be kept', 'This run is too large to keep']);
+  expect(titles()).toEqual(['No more runs can be pinned', 'This run is too large to pin']);
 });
 
 test('a run pinned while it computes learns how it ended', () => {

@@ -1,11 +1,14 @@
 /** The one frame of all charts: where the area of the marks lies, the axes, ticks and titles around it. */
 import { words, type Text } from '../core/motion/symbols.ts';
-import { scaleOf, withAir, type Range, type Scale, type ScaleSpec } from './scales.ts';
+import { isTiny, scaleOf, tickText, withAir, type Range, type Scale, type ScaleSpec } from './scales.ts';
 import type { Surface, Theme } from './surface.ts';
 import { drawText, FONT_SIZE, widthOf } from './typeset.ts';
+import { words as texts } from './words.ts';
 
 export interface Axis extends ScaleSpec {
   title: Text;
+  /** Of its numbers, for what is said of them. */
+  unit?: string | undefined;
   /** What is shown; without it, what the marks need, with a little air. */
   range?: Range | undefined;
   /** Zero is within. */
@@ -56,6 +59,8 @@ export interface Frame {
   y: Scale;
   /** Device pixels in one px. */
   density: number;
+  /** All that y moves by, where that is so little that it is drawn small and said. */
+  span?: number | undefined;
 }
 
 export const toX = ({ left, width, x }: Frame, value: number): number => left + width * x.share(value);
@@ -64,6 +69,8 @@ export const fromX = ({ left, width, x }: Frame, px: number): number => x.value(
 export const fromY = ({ top, height, y }: Frame, px: number): number => y.value(1 - (px - top) / height);
 
 const AIR = 0.06;
+/** Beyond a tiny range on either side, in shares of it: no cliff. */
+const TINY_AIR = 1.5;
 /** Wide enough for most numbers, so that most charts stand in line, px. */
 const LEFT = 56;
 const RIGHT = 12;
@@ -104,8 +111,21 @@ export function frameOf(
     const perPixel = Math.max((xRange[1] - xRange[0]) / width, (yRange[1] - yRange[0]) / height);
     [xRange, yRange] = [around(xRange, (perPixel * width) / 2), around(yRange, (perPixel * height) / 2)];
   }
-  return { left, top: TOP, width, height, x: scaleOf(x, xRange), y: scaleOf(y, yRange), density };
+  const within = zoom.x ?? x.range ?? null;
+  const needed = zoom.y || y.range || equal ? null : neededOf(picture, 'y', within);
+  return {
+    left,
+    top: TOP,
+    width,
+    height,
+    x: scaleOf(x, xRange),
+    y: scaleOf(y, yRange),
+    density,
+    span: needed && tiny(y, needed) ? needed[1] - needed[0] : undefined,
+  };
 }
+
+const tiny = ({ kind = 'linear' }: Axis, range: Range): boolean => kind === 'linear' && isTiny(range);
 
 const around = ([low, high]: Range, half: number): Range => [(low + high) / 2 - half, (low + high) / 2 + half];
 
@@ -117,8 +137,15 @@ export function rangeOf(
   zoom: Range | null,
 ): Range {
   if (zoom) return zoom;
-  const { range, zero, air = AIR, kind } = axes[along];
+  const { range, air = AIR, kind } = axes[along];
   if (range) return range;
+  const needed = neededOf({ marks, ...axes }, along, within);
+  return withAir(needed, along === 'y' && !axes.equal && tiny(axes.y, needed) ? TINY_AIR : air, kind);
+}
+
+/** What the marks need; low above high where they need nothing. */
+function neededOf({ marks, ...axes }: Picture, along: 'x' | 'y', within: Range | null): Range {
+  const { zero } = axes[along];
   let low = zero ? 0 : Infinity;
   let high = zero ? 0 : -Infinity;
   for (const mark of marks) {
@@ -127,7 +154,7 @@ export function rangeOf(
     if (extent[0] < low) low = extent[0];
     if (extent[1] > high) high = extent[1];
   }
-  return withAir([low, high], air, kind);
+  return [low, high];
 }
 
 /** Everything: what lies under the grid, the grid, axes, marks. */
@@ -145,6 +172,11 @@ export function paint(surface: Surface, frame: Frame, picture: Picture, theme: T
   axes(surface, frame, picture, theme);
   within(() => over.forEach((mark) => mark.draw(surface, frame, theme)));
   if (picture.bar) bar(surface, frame, picture.bar, theme);
+  if (frame.span !== undefined) {
+    surface.fillStyle = theme.ink;
+    const said = texts.range(tickText(Number(frame.span.toPrecision(2))), picture.y.unit ?? '');
+    drawText(surface, words(said), frame.left + frame.width - 6, frame.top + 9, 'right');
+  }
 }
 
 function axes(surface: Surface, frame: Frame, { x, y }: Picture, theme: Theme): void {

@@ -109,6 +109,12 @@ export function tickText(x: number): string {
   return plain.replaceAll('-', '\u2212');
 }
 
+/** A range so small beside its values, or beside anything that is measured, that stretched to a whole chart it would mislead. */
+export const isTiny = ([low, high]: Range): boolean => {
+  const largest = Math.max(Math.abs(low), Math.abs(high));
+  return high > low && high - low < (largest > 1e-9 ? 1e-3 * largest : Infinity) && high - low > 1e-12 * largest;
+};
+
 /** Room beyond the values: a share of their span, a factor where it is logarithmic; a flat range in the middle. */
 export function withAir([low, high]: Range, share: number, kind: ScaleKind = 'linear'): [number, number] {
   if (!(low <= high)) return kind === 'logarithmic' ? [0.1, 1] : [-1, 1];

@@ -143,3 +143,32 @@ test('an SVG file says the same as the page, well formed, with its title, legend
   expect(svg.match(/<\/(g|svg|clipPath)>/g)!.length).toBe(opened);
   expect(svg).not.toMatch(/NaN|undefined|Infinity/);
 });
+
+test('a range that is tiny beside its values is drawn small and said, an ordinary one fills the chart', () => {
+  const size = { width: 400, height: 200 };
+  const drawn = (y: readonly number[], more: Partial<Picture> = {}) => {
+    const { surface, texts } = recorder();
+    const chart = picture({ marks: [line([0, 1, 2], y)], ...more });
+    const frame = frameOf(surface, chart, size);
+    paint(surface, frame, { ...chart, y: { ...chart.y, unit: 'J' } }, PRINT);
+    return {
+      share: (Math.max(...y) - Math.min(...y)) / (frame.y.high - frame.y.low),
+      said: texts.find(({ text }) => text.startsWith('varies'))?.text,
+    };
+  };
+  const still = drawn([7.5, 7.5 + 3e-9, 7.5 + 1e-9]);
+  expect(still.share).toBeCloseTo(0.25, 3);
+  expect(still.said).toBe('varies by only 3e\u22129\u202fJ');
+  // About zero, what is less than anything measured.
+  expect(drawn([-4e-13, 0, 6e-13]).said).toContain('1e\u221212');
+  for (const y of [
+    [0.5, 0.4873],
+    [-1, 1],
+    [0, 0],
+    [3, 3],
+    [1e-6, 3e-6],
+  ])
+    expect(drawn(y).said, String(y)).toBe(undefined);
+  expect(drawn([0.5, 0.4873]).share).toBeGreaterThan(0.8);
+  expect(drawn([7.5, 7.5 + 3e-9], { equal: true }).said).toBe(undefined);
+});

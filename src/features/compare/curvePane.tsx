@@ -6,7 +6,7 @@ import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark, type Curve } from '../../charts/curves.ts';
 import type { Picture } from '../../charts/frame.ts';
 import { token } from '../../charts/tokens.ts';
-import { axisText, shownFactor, type Column } from '../../core/motion/columns.ts';
+import { axisText, shownFactor, shownUnit, type Column } from '../../core/motion/columns.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
 import { words as plain } from '../../core/motion/symbols.ts';
 import type { ShownRun } from './shownRuns.ts';
@@ -104,7 +104,7 @@ function pictureOf({ runs, x, y, equal }: Shown, degrees: boolean): Picture {
   });
   return {
     x: { title: axisText([x], degrees), ...(x.name === 't' ? { air: 0 } : {}) },
-    y: { title: axisText([y], degrees) },
+    y: { title: axisText([y], degrees), unit: shownUnit(y, degrees) },
     equal,
     marks: curves.map(curveMark),
   };

@@ -93,23 +93,27 @@ export interface AxisInfo {
   unit: string;
   number(value: SweepValue): number;
   text(value: SweepValue): string;
+  /** As short as still tells its values apart. */
+  tick(value: SweepValue): string;
 }
 
 export function axisInfo(axis: SweepAxis, meta: SystemMeta, degrees: boolean): AxisInfo {
   const unit = axis.angle && !degrees ? axis.unit.replace('°', 'rad') : axis.unit;
   const factor = axis.angle && degrees ? 1 / DEGREE : 1;
   const symbol = axisSymbol(axis, meta);
-  // As short as still tells its values apart.
-  const digits = [4, 6, 9].find(
-    (n) => new Set(axis.values.map(({ value }) => formatShort(value * factor, n))).size === axis.values.length,
-  );
+  const written =
+    (digits: number | undefined) =>
+    ({ value, label, method }: SweepValue): string =>
+      method ? label : formatShort(value * factor, digits);
+  const apart = (digits: number): boolean => new Set(axis.values.map(written(digits))).size === axis.values.length;
   return {
     symbol,
     title: unit === '' ? symbol : [...symbol, ...plain(`, ${unit}`)],
     label: unit === '' ? plainSymbol(symbol) : `${plainSymbol(symbol)}, ${unit}`,
     unit,
     number: ({ value }) => value * factor,
-    text: ({ value, label, method }) => (method ? label : formatShort(value * factor, digits)),
+    text: written(6),
+    tick: written([3, 4, 6].find(apart)),
   };
 }
 

@@ -19,8 +19,8 @@ export function SweepMap(view: SweepView) {
   const draw = (): void => {
     const map = cells(wide, tall, measuredValues(latest.current, wide * tall), at.current);
     chart.current?.setPicture({
-      x: { title: along.title, kind: 'steps', names: first.values.map(along.text), air: 0 },
-      y: { title: up.title, kind: 'steps', names: second.values.map(up.text), air: 0 },
+      x: { title: along.title, kind: 'steps', names: first.values.map(along.tick), air: 0 },
+      y: { title: up.title, kind: 'steps', names: second.values.map(up.tick), air: 0 },
       marks: [map],
       bar: { title, low: map.range[0], high: map.range[1], colour: scaleColour },
     });

@@ -7,7 +7,7 @@ import type { Chart } from '../../charts/chart.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark, type Curve } from '../../charts/curves.ts';
 import type { Picture } from '../../charts/frame.ts';
-import { axisText, columnOf, shownFactor } from '../../core/motion/columns.ts';
+import { axisText, columnOf, shownFactor, shownUnit } from '../../core/motion/columns.ts';
 import { Envelope } from '../../core/motion/envelope.ts';
 import { words as plain } from '../../core/motion/symbols.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
@@ -107,7 +107,11 @@ function overTime(
   });
   return {
     x: { title: axisText([columnOf(meta, 't')], degrees), air: 0 },
-    y: { title: axisText([column], degrees), kind: name === 'residual' ? 'logarithmic' : 'linear' },
+    y: {
+      title: axisText([column], degrees),
+      unit: shownUnit(column, degrees),
+      kind: name === 'residual' ? 'logarithmic' : 'linear',
+    },
     marks: curves.map(curveMark),
   };
 }

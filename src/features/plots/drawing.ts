@@ -3,7 +3,7 @@ import type { Motion } from '../../app/runs/motion.ts';
 import { curveMark, type Curve } from '../../charts/curves.ts';
 import type { Picture } from '../../charts/frame.ts';
 import type { Range } from '../../charts/scales.ts';
-import { axisText, columnOf, shownFactor, symbolOf, type Column } from '../../core/motion/columns.ts';
+import { axisText, columnOf, shownFactor, symbolOf, unitsOf, type Column } from '../../core/motion/columns.ts';
 import type { ColumnValues } from '../../core/motion/columnValues.ts';
 import { rowsWithin } from '../../core/motion/rowsWithin.ts';
 import { words } from '../../core/motion/symbols.ts';
@@ -53,7 +53,7 @@ export function pictureOf({ pane, motion, values, range }: PaneProps, degrees: b
   const y = shown.map(({ name }) => infoOf(name));
   return {
     x: { title: axisText([infoOf(pane.x)], degrees), ...(overTime ? { range: whole } : {}) },
-    y: { title: axisText(y, degrees) },
+    y: { title: axisText(y, degrees), unit: unitsOf(y, degrees) },
     equal: pane.equal,
     marks: curves.map(curveMark),
   };

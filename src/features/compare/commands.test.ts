@@ -3,10 +3,10 @@ import { expect, test } from 'vitest';
 import { sheetOf } from '../../app/commands.ts';
 import { putOnStage, testApp } from '../../../tests/ui/page.tsx';
 import { compare } from './manifest.tsx';
-import { words } from './words.ts';
+import { firstWords } from './firstWords.ts';
 
 test('B pins the run on the stage, and the sheet says so', () => {
-  expect(sheetOf(compare.commands!)).toEqual([['B', words.pinKey]]);
+  expect(sheetOf(compare.commands!)).toEqual([['B', firstWords.pinKey]]);
   const app = testApp();
   putOnStage(app, { version: 1, system: 'ripstik', duration: 0.02 });
   compare.commands!.find(({ id }) => id === 'pin')!.perform!(app);

@@ -1,7 +1,7 @@
 /** What the page says of the comparison before it is opened; the rest comes with it. */
 export const firstWords = {
   open: 'Compare',
-  pinned: 'kept',
-  pinKey: 'keep this run, to compare with',
-  keep: 'Keep this run',
+  pinned: 'pinned',
+  pinKey: 'pin this run, to compare others with it',
+  keep: 'Pin this run',
 } as const;

@@ -50,6 +50,17 @@ export interface LqrDesign {
   readonly unseen: Mode[];
   readonly byInput: InputReach[];
   readonly riccati: RiccatiSolution;
+  /** The plant that the equation was solved for: reachable, and seen by the cost or off the axis. */
+  readonly quotient: Quotient;
+}
+
+/** `z' = A z + B u` with the cost |C z|², z = fromStates x; the shapes of its coordinates in states are toStates' columns. */
+export interface Quotient {
+  A: Matrix;
+  B: Matrix;
+  C: Matrix;
+  fromStates: Matrix;
+  toStates: Matrix;
 }
 
 /** What a design needs of the plant and what does not depend on the weights: kept while a person turns them. */
@@ -92,14 +103,16 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   const { U, Up } = unseenOnAxis(split, weights.Q);
   const Upt = Up.transpose();
   const [A, B, C] = [Upt.mmul(split.A).mmul(Up), Upt.mmul(split.B), seen.mmul(Up)];
-  const riccati = solveNamed(A, B, C, weights.R, N.mmul(split.reachable).mmul(Up), linearization);
+  const toStates = N.mmul(split.reachable).mmul(Up);
+  const fromStates = Upt.mmul(split.W).mmul(N.transpose());
+  const riccati = solveNamed(A, B, C, weights.R, toStates, linearization);
   const unseenA = U.transpose().mmul(split.A).mmul(U);
   const untouched = [...eigenvalues(unseenA, split.scale), ...eigenvalues(split.unreachableA, split.scale)];
   return {
     linearization,
     weights,
     split,
-    gain: riccati.gain.mmul(Upt).mmul(split.W).mmul(N.transpose()),
+    gain: riccati.gain.mmul(fromStates),
     openLoop: [...eigenvalues(A, split.scale), ...untouched].sort(byParts),
     closedLoop: [...riccati.closedLoop, ...untouched].sort(byParts),
     placed: [...riccati.closedLoop].sort(byParts),
@@ -107,6 +120,7 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
     unseen: modesOf(unseenA, N.mmul(split.reachable).mmul(U), states, split.scale),
     byInput,
     riccati,
+    quotient: { A, B, C, fromStates, toStates },
   };
 }
 

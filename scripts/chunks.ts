@@ -8,10 +8,11 @@ import type { Plugin } from 'vite';
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const LIST = fileURLToPath(new URL('../.cache/chunks.json', import.meta.url));
 
-/** A built script: who runs it, what it imports at once, and the bytes of each of its modules, by path from the root. */
+/** A built script: who runs it, what it imports at once and is styled by, and the bytes of each of its modules, by path from the root. */
 export interface Chunk {
   by: 'page' | 'worker';
   imports: readonly string[];
+  styles: readonly string[];
   modules: Readonly<Record<string, number>>;
 }
 
@@ -49,7 +50,8 @@ export function chunkList(): { page: Plugin; worker: Plugin } {
         const modules: Record<string, number> = {};
         for (const [id, { renderedLength }] of Object.entries(file.modules))
           modules[relative(ROOT, id).replaceAll(sep, '/')] = renderedLength;
-        chunks[file.fileName] = { by, imports: file.imports, modules };
+        const styles = [...(file.viteMetadata?.importedCss ?? [])];
+        chunks[file.fileName] = { by, imports: file.imports, styles, modules };
       }
     },
     writeBundle() {

@@ -5,6 +5,7 @@ import { equationsIn } from '../../scripts/chunks.ts';
 const of = (by: 'page' | 'worker', ...modules: string[]) => ({
   by,
   imports: [],
+  styles: [],
   modules: Object.fromEntries(modules.map((module) => [module, 100])),
 });
 const EQUATIONS = 'src/core/systems/bicycle/equations.generated.ts';
@@ -31,6 +32,6 @@ test('two files with the same equations, and equations in the page, are named', 
 });
 
 test('a module of which the bundler left nothing is not held', () => {
-  const empty = { by: 'page' as const, imports: [], modules: { [EQUATIONS]: 0 } };
+  const empty = { by: 'page' as const, imports: [], styles: [], modules: { [EQUATIONS]: 0 } };
   expect(equationsIn({ 'assets/page.js': empty })).toEqual({ systems: [], faults: [] });
 });

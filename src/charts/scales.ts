@@ -1,5 +1,8 @@
 /** Scales of axes: from values to shares 0 … 1 of an axis and back, with their ticks and one way to write numbers. */
 
+/** Neighbouring numbers of a bent axis are at least so far apart, in shares of an even spacing. */
+const APART = 0.75;
+
 export type Range = readonly [number, number];
 
 /**
@@ -45,7 +48,7 @@ export function scaleOf({ kind = 'linear', bend = 1, names = [] }: ScaleSpec, [l
         : logarithmic
           ? decadeTicks(low, high, most)
           : kind === 'bent'
-            ? bentTicks(low, high, bend, most)
+            ? bentTicks(low, high, bend, most, (x) => (to(x) - a) / (b - a))
             : linearTicks(low, high, most),
     text: (tick) => (kind === 'steps' ? (names[tick] ?? '') : tickText(tick)),
   };
@@ -80,19 +83,15 @@ export function decadeTicks(low: number, high: number, most: number): number[] {
 
 const power = (k: number): number => Number(`1e${k}`);
 
-/** Zero and decades on both of its sides, from `bend` on, so many apart that they have room. */
-function bentTicks(low: number, high: number, bend: number, most: number): number[] {
+/** Zero and decades on both of its sides, from `bend` on, the outermost first, as far apart as leaves room for their numbers. */
+function bentTicks(low: number, high: number, bend: number, most: number, share: (x: number) => number): number[] {
   const decades: number[] = [];
   for (let x = bend; x <= Math.max(-low, high) * (1 + 1e-9); x *= 10) decades.push(Number(x.toPrecision(12)));
-  const fit = (every: number): number[] => {
-    const some = decades.filter((_, i) => (decades.length - 1 - i) % every === 0);
-    return [...some.map((x) => -x).reverse(), 0, ...some].filter((x) => x >= low && x <= high);
-  };
-  for (let every = 1; ; every++) {
-    const ticks = fit(every);
-    if (ticks.length <= Math.max(3, most) || every > decades.length)
-      return ticks.length > 1 ? ticks : linearTicks(low, high, most);
-  }
+  const ticks: number[] = [];
+  for (const x of [0, ...decades.reverse().flatMap((x) => [-x, x])])
+    if (x >= low && x <= high && ticks.every((other) => Math.abs(share(x) - share(other)) * most >= APART))
+      ticks.push(x);
+  return ticks.length > 1 ? ticks.sort((a, b) => a - b) : linearTicks(low, high, most);
 }
 
 function stepTicks(low: number, high: number, count: number, most: number): number[] {

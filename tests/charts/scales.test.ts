@@ -69,8 +69,14 @@ test('every scale rises, gives its values back, and has its ticks within', () =>
 
 test('the bent scale is odd and has decades on both sides of zero, fewer where there is no room', () => {
   const scale = scaleOf({ kind: 'bent', bend: 1 }, [-1000, 1000]);
-  expect(scale.ticks(9)).toEqual([-1000, -100, -10, -1, 0, 1, 10, 100, 1000]);
-  expect(scale.ticks(5)).toEqual([-1000, -10, 0, 10, 1000]);
+  expect(scale.ticks(16)).toEqual([-1000, -100, -10, -1, 0, 1, 10, 100, 1000]);
+  expect(scale.ticks(7)).toEqual([-1000, -100, -10, 0, 10, 100, 1000]);
+  expect(scale.ticks(3)).toEqual([-1000, 0, 1000]);
+  for (const most of [3, 4, 5, 7, 9, 16]) {
+    const shares = scale.ticks(most).map((t) => scale.share(t));
+    for (let i = 1; i < shares.length; i++)
+      expect(shares[i]! - shares[i - 1]!, `${most}`).toBeGreaterThanOrEqual(0.75 / most);
+  }
   for (const x of [0.5, 7, 300]) expect(scale.share(x) + scale.share(-x)).toBeCloseTo(1, 12);
 });
 

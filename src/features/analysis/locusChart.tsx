@@ -1,16 +1,17 @@
 /** Real parts against what is varied: the half above zero is tinted, critical values are marked. */
+import type { Chart } from '../../charts/chart.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark, type Curve } from '../../charts/curves.ts';
 import type { Axis, Picture } from '../../charts/frame.ts';
 import { growingBand, lineAcross, stops } from '../../charts/marks.ts';
 import { token } from '../../charts/tokens.ts';
 import type { ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
-import { words } from '../../core/motion/symbols.ts';
+import { words, type Text } from '../../core/motion/symbols.ts';
 import { useUi } from '../../ui/context.ts';
 
 export interface LocusChartProps {
   locus: ScenarioLocus;
-  xLabel: string;
+  xTitle: Text;
   yLabel: string;
   label: string;
   /** From SI to the unit shown. */
@@ -18,6 +19,8 @@ export interface LocusChartProps {
   /** Where the scale bends to logarithmic; linear without it. */
   bend: number | undefined;
   onPoint(index: number | null): void;
+  /** For what saves it. */
+  onChart(chart: Chart | null): void;
 }
 
 export function LocusChart(props: LocusChartProps) {
@@ -30,17 +33,20 @@ export function LocusChart(props: LocusChartProps) {
       testId="locus-plot"
       label={props.label}
       options={{ alongX: true, onHover: props.onPoint }}
-      attach={() => () => {}}
+      attach={(chart) => {
+        props.onChart(chart);
+        return () => props.onChart(null);
+      }}
       update={(chart) => void requestAnimationFrame(() => chart.setPicture(pictureOf(props)))}
     />
   );
 }
 
-function pictureOf({ locus, xLabel, yLabel, factor, bend }: LocusChartProps): Picture {
+function pictureOf({ locus, xTitle, yLabel, factor, bend }: LocusChartProps): Picture {
   const x = Float64Array.from(locus.values, (value) => value * factor);
   const scale: Pick<Axis, 'kind' | 'bend'> = bend === undefined ? {} : { kind: 'bent', bend };
   return {
-    x: { title: words(xLabel), air: 0 },
+    x: { title: xTitle, air: 0 },
     y: { ...scale, title: words(yLabel), zero: true },
     marks: [
       growingBand('y'),

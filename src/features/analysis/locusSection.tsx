@@ -1,4 +1,8 @@
 /** Eigenvalues against speed or any parameter: asked for, computed aside, drawn twice, listed, saved. */
+import { useRef } from 'preact/hooks';
+import type { Chart } from '../../charts/chart.ts';
+import { symbolText, words as plain } from '../../core/motion/symbols.ts';
+import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
@@ -125,7 +129,8 @@ function Locus({ done: { locus, subject }, save, stale }: { done: Done; save: Sa
   const index = useSignal(Math.floor(locus.values.length / 2));
   const sizes = locus.branches.flatMap((branch) => branch.map((e) => Math.hypot(...e)));
   const wide = isWide(sizes.filter((x) => x > 1e-3 * Math.max(...sizes)));
-  const axis = `${subject.label}, ${subject.unit || '1'}`;
+  const chart = useRef<Chart | null>(null);
+  const symbol = symbolText(subject.symbol, subject.rate);
   const show = (value: number) =>
     `${formatShort(value * subject.factor, 5)}${subject.unit === '°' ? '' : THIN}${subject.unit}`;
   return (
@@ -155,7 +160,10 @@ function Locus({ done: { locus, subject }, save, stale }: { done: Done; save: Sa
       </p>
       <LocusChart
         locus={locus}
-        xLabel={axis}
+        xTitle={subject.unit ? [...symbol, ...plain(`, ${subject.unit}`)] : symbol}
+        onChart={(made) => {
+          chart.current = made;
+        }}
         yLabel={words.realPart}
         label={words.locusPlot(subject.label)}
         factor={subject.factor}
@@ -180,6 +188,8 @@ function Locus({ done: { locus, subject }, save, stale }: { done: Done; save: Sa
         >
           {words.locusCsv}
         </button>
+        <span class="spring" />
+        <SaveMenu title={words.locusPlot(subject.label)} picture={() => chart.current} testId="locus" />
       </div>
     </div>
   );

@@ -1,7 +1,9 @@
 /** One run less another: every column's numbers, and the curve of one. */
+import type { Chart } from '../../charts/chart.ts';
+import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
 import { ChartView } from '../../charts/chartView.tsx';
 import { curveMark } from '../../charts/curves.ts';
@@ -126,6 +128,7 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
   const lines = useLines(a, b, turns);
   const sort = useSignal<{ key: Key; down: boolean }>({ key: 'name', down: false });
   const chosen = useSignal('');
+  const chart = useRef<Chart | null>(null);
   if (!lines)
     return (
       <p class="hint" role="status">
@@ -159,7 +162,13 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
   return (
     <>
       <p class="hint">{words.overTime(formatFixed(times[0]!, 3), formatFixed(times[times.length - 1]!, 3))}</p>
-      <DifferencePlot key={`${drawn.info.name}`} line={drawn} />
+      <DifferencePlot
+        key={drawn.info.name}
+        line={drawn}
+        onChart={(made) => {
+          chart.current = made;
+        }}
+      />
       <TableScroll label={words.differences}>
         <table data-testid="difference-table">
           <thead>
@@ -216,6 +225,7 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
         <button type="button" data-testid="difference-csv" onClick={save}>
           {words.tableCsv}
         </button>
+        <SaveMenu title={words.differencePlot(drawn.info.label)} picture={() => chart.current} testId="difference" />
       </div>
     </>
   );
@@ -224,7 +234,7 @@ function Table({ a, b, turns }: { a: ShownRun; b: ShownRun; turns: boolean }) {
 const number = (x: number): string =>
   x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? formatScientific(x, 2) : formatShort(x, 4);
 
-function DifferencePlot({ line: { info, difference } }: { line: Line }) {
+function DifferencePlot({ line: { info, difference }, onChart }: { line: Line; onChart(chart: Chart | null): void }) {
   const { app } = useUi();
   const { degrees } = app.state.plots.value;
   // Drawn again in another theme's colours, which are in force after the page's own effect: in the next frame.
@@ -236,12 +246,19 @@ function DifferencePlot({ line: { info, difference } }: { line: Line }) {
       label={words.differencePlot(spoken(info, degrees))}
       testId="difference-plot"
       options={{ alongX: true, onSeek: (time) => app.actions.seek(time) }}
-      attach={(chart) => app.state.time.subscribe((time) => chart.setCursor(time))}
+      attach={(chart) => {
+        onChart(chart);
+        const end = app.state.time.subscribe((time) => chart.setCursor(time));
+        return () => {
+          end();
+          onChart(null);
+        };
+      }}
       update={(chart) =>
         void requestAnimationFrame(() =>
           chart.setPicture({
             x: { title: [...symbolText('t'), ...plain(', s')], air: 0 },
-            y: { title },
+            y: { title, unit: shownUnit(info, degrees) },
             marks: [
               curveMark({
                 label: title,

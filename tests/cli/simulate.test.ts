@@ -114,7 +114,7 @@ test('--verify tells on standard output how many digits hold, and behind the tab
 }, 60_000);
 
 test('--verify without a file leaves standard output to the table', () => {
-  const { file } = place({ ...WHEEL, system: 'ripstik', initial: { alpha: '10 deg' } });
+  const { file } = place({ ...WHEEL, system: 'ripstik', inputs: {}, initial: { alpha: '10 deg' } });
   const { status, stdout, stderr } = simulate(file, '--verify');
   expect(status).toBe(3);
   expect(stdout).toMatch(/^t,X,Y,Z/);

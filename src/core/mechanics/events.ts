@@ -7,7 +7,10 @@ export interface EventFunction {
   /** Evaluated at a state; positive before the event. */
   value(t: number, q: Float64Array, v: Float64Array): number;
   message(t: number): string;
-  /** Points of each step that are looked at, so that a quick dip is not stepped over; the last is its end. */
+  /**
+   * Points of each step that are looked at, the last its end; with more than one a dip between two is looked for too, which
+   * asks for a smooth value.
+   */
   readonly looks: number;
 }
 

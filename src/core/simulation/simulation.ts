@@ -5,6 +5,7 @@ import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
 import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
 import { unseenAt, type InputPlan } from './inputPlan.ts';
+import { dipBetween } from './dip.ts';
 import type { Saturation } from './saturation.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
@@ -458,27 +459,45 @@ export class Simulation {
   /** The earliest downward crossing in the last step, whose end state is `endQ`, `endV`. */
   private findCrossing(): { event: EventFunction; time: number } | null {
     const { stepper, events } = this;
+    const { previousT, t } = stepper;
     let first: { event: EventFunction; time: number } | null = null;
     for (let e = 0; e < events.length; e++) {
       const event = events[e]!;
-      let low = stepper.previousT;
-      let lowValue = this.eventValues[e]!;
+      const values = [this.eventValues[e]!];
+      const times = [previousT];
       for (let look = 1; look <= event.looks; look++) {
-        const final = look === event.looks;
-        const high = final ? stepper.t : stepper.previousT + ((stepper.t - stepper.previousT) * look) / event.looks;
-        if (!final) this.lookAt(high);
-        const value = final ? event.value(high, this.endQ, this.endV) : event.value(high, this.sampleQ, this.sampleV);
-        if (lowValue > 0 && !(value > 0)) {
-          const time = this.bisect(event, low, high);
-          if (!first || time < first.time) first = { event, time };
-          break;
-        }
-        low = high;
-        lowValue = value;
+        const high = look === event.looks ? t : previousT + ((t - previousT) * look) / event.looks;
+        times.push(high);
+        values.push(high === t ? event.value(t, this.endQ, this.endV) : this.valueAt(event, high));
+        if (!(values[look]! > 0)) break;
       }
-      this.eventValues[e] = lowValue;
+      this.eventValues[e] = values.at(-1)!;
+      const time = this.crossingAmong(event, times, values);
+      if (time !== null && (!first || time < first.time)) first = { event, time };
     }
     return first;
+  }
+
+  private valueAt(event: EventFunction, time: number): number {
+    this.lookAt(time);
+    return event.value(time, this.sampleQ, this.sampleV);
+  }
+
+  /** The first crossing between these times of the last step, with the event's values there; a quick dip between two is one. */
+  private crossingAmong(event: EventFunction, times: readonly number[], values: readonly number[]): number | null {
+    let change = 0;
+    for (let i = 1; i < values.length; i++) change = Math.max(change, Math.abs(values[i]! - values[i - 1]!));
+    for (let i = 1; i < values.length; i++) {
+      const [low, high] = [times[i - 1]!, times[i]!];
+      const [lowValue, highValue] = [values[i - 1]!, values[i]!];
+      if (!(lowValue > 0)) continue;
+      if (!(highValue > 0)) return this.bisect(event, low, high);
+      // A parabola that dips below zero between two of its values changes by four times the lesser between two others.
+      if (event.looks === 1 || Math.min(lowValue, highValue) > change) continue;
+      const dip = dipBetween((time) => this.valueAt(event, time), low, lowValue, high, highValue);
+      if (dip !== null) return this.bisect(event, low, dip);
+    }
+    return null;
   }
 
   /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */
@@ -598,8 +617,15 @@ function addCounters(a: Counters, b: Counters): Counters {
 function failureMessage(reason: string, t: number, dependent: string, singularMass: string): string {
   const at = `at t = ${t.toFixed(3)} s`;
   const known: Record<string, string> = {
-    'step-too-small': `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method`,
-    'non-finite': `the equations gave a number that is not finite ${at}: check parameters and inputs`,
+    'step-too-small':
+      `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method; ` +
+      'take a larger rtol and atol, or an implicit method (gauss, radau) where the motion is stiff',
+    newton:
+      `the equations of a step could not be solved ${at}, however short it was: take a larger rtol and atol ` +
+      '(below about 1e-12 rounding stands in the way), another method (dop853, gauss), or for a fixed step a shorter one',
+    'non-finite':
+      `the equations gave a number that is not finite ${at}: check parameters and inputs, and for a fixed step ` +
+      'take a shorter one or a method that chooses its steps',
     'constraint-singular': `the constraints became dependent ${at}${dependent}`,
     'mass-matrix-singular': `the mass matrix became singular ${at}: ${singularMass}`,
   };

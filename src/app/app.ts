@@ -4,6 +4,7 @@ import type { ControlClient } from '../compute/client/controlClient.ts';
 import type { LocusClient } from '../compute/client/locusClient.ts';
 import type { MechanicsClient } from '../compute/client/mechanicsClient.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
+import type { ImportChoices } from '../csv/plan.ts';
 import type { SystemView } from '../core/model/system.ts';
 import type { ExportService } from './files/exportService.ts';
 import type { FileActions, FileState, OpenedFile } from './files/fileState.ts';
@@ -80,11 +81,15 @@ export interface OpenAndSaveActions {
   openFiles(files: readonly File[]): void;
   openSample(id: string): void;
   /** A CSV or a scenario; done when it is on the stage or refused with a message. */
-  openFile(name: string, file: Blob, timeStep?: number): Promise<void>;
+  openFile(name: string, file: Blob, choices?: ImportChoices): Promise<void>;
   /** Gives up the file being read. */
   cancelReading(): void;
-  /** Answers `pendingFile`: the time step in seconds, or null to give up. */
-  answerTimeStep(step: number | null): void;
+  /** Answers `pendingFile`, or null to give up. */
+  answerPending(choices: ImportChoices | null): void;
+  /** Reads the file on the stage again with this changed, and remembers it for files of its shape; null: as found. */
+  readAgain(change: ImportChoices | null): void;
+  /** Gives up choices that can't be read (`refusedReading`). */
+  keepReading(): void;
   exportCsv(): void;
   cancelWriting(): void;
   saveScenario(): void;

@@ -84,6 +84,13 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     messages: messages.actions,
     metas: systemMetas,
     show: (motion) => runs.show(motion),
+    showAgain(motion) {
+      const [time, playing] = [playback.state.time.peek(), playback.state.playing.peek()];
+      runs.show(motion);
+      playback.actions.seek(time);
+      playback.actions.setPlaying(playing);
+    },
+    settings,
     openScenario,
   });
 
@@ -140,8 +147,10 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     openFiles: (list) => void files.open(list),
     cancelReading: () => files.cancel(),
     openSample: (id) => void files.openSample(id, samples),
-    openFile: (name, file, timeStep) => files.openFile(name, file, timeStep),
-    answerTimeStep: (step) => files.answerTimeStep(step),
+    openFile: (name, file, choices) => files.openFile(name, file, choices),
+    answerPending: (choices) => files.answerPending(choices),
+    keepReading: () => files.keepReading(),
+    readAgain: (change) => void files.readAgain(change),
     exportCsv: () => void csvExport.write(),
     cancelWriting: () => csvExport.cancel(),
     saveScenario: () => download('scenario.json', [`${JSON.stringify(draft.peek(), null, 2)}\n`], 'application/json'),

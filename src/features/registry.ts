@@ -8,6 +8,7 @@ export { analysis } from './analysis/manifest.tsx';
 export { methods } from './methods/manifest.tsx';
 export { compare } from './compare/manifest.tsx';
 export { file } from './file/manifest.tsx';
+export { importing } from './import/manifest.tsx';
 export { exporting } from './export/manifest.tsx';
 export { share } from './share/manifest.tsx';
 export { push } from './push/manifest.tsx';

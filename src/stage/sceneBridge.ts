@@ -153,6 +153,13 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     const own = app.state.meshes.value;
     if (!motion) return;
     const { id } = motion.system.meta;
+    if (motion.system.meta.bodies.length === 0) {
+      // Data: nothing is drawn, and what would come of a motion before does not come.
+      wearing = '';
+      turn++;
+      dressed.value = { system: null, models: {}, cast: null };
+      return;
+    }
     const shape = shapedBy(id)?.map((name) => motion.parameters[name]) ?? motion.parameters;
     const key = JSON.stringify([id, shape, [...own]]);
     if (key === wearing) return;

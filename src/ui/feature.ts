@@ -15,6 +15,8 @@ export interface Tool {
   size: 'narrow' | 'wide' | 'widest';
   /** Stays as it is while another tool is shown; else it begins anew. */
   keep?: boolean;
+  /** On a phone its tab is turned to as this becomes true. */
+  wanted?(app: App): boolean;
   Body: ComponentType;
 }
 
@@ -26,14 +28,14 @@ export interface Feature {
   /** The panel at the left, and the first tab of the phone's sheet. */
   panel?: { title: string; Body: ComponentType };
   tool?: Tool;
-  /** A tab of the phone's sheet alone; it is turned to as `wanted` becomes true. */
-  tab?: { title: string; Body: ComponentType; wanted?(app: App): boolean };
   /** In the bar at the top, beside the page's name. */
   topStart?: ComponentType;
   /** In the bar at the top, among the buttons at its end. */
   topEnd?: ComponentType;
   /** Under the title of what is on the stage. */
   caption?: ComponentType;
+  /** In the place of the scene, where what is played has none. */
+  noScene?: ComponentType;
   /** Over the buttons of the views. */
   stagePad?: ComponentType;
   /** Among the switches of the stage. */
@@ -54,7 +56,16 @@ export interface Feature {
 
 /** Slots that hold a component without properties. */
 export type SlotName =
-  'topStart' | 'topEnd' | 'caption' | 'stagePad' | 'stageSwitch' | 'card' | 'notes' | 'runStatus' | 'dialog';
+  | 'topStart'
+  | 'topEnd'
+  | 'caption'
+  | 'noScene'
+  | 'stagePad'
+  | 'stageSwitch'
+  | 'card'
+  | 'notes'
+  | 'runStatus'
+  | 'dialog';
 
 /** Features as the page shows them. */
 export const inOrder = (features: Readonly<Record<string, Feature>>): readonly Feature[] =>

@@ -87,6 +87,9 @@ export const text = {
   },
   hint: 'Press Run to compute this motion, or drop a CSV on the page.',
   noScene: 'The scene cannot be drawn',
+  dataOnly: 'Data without a scene',
+  dataOnlyHint:
+    'The columns of this file are no system’s coordinates, so there is nothing to draw. Plots and Compare show them over time.',
   message: { label: 'Messages', dismiss: 'Dismiss' },
   sheet: 'Panels',
   said: {

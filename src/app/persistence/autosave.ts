@@ -3,6 +3,7 @@ import { effect } from '@preact/signals';
 import { modelsOf } from '../../core/model/system.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { App } from '../app.ts';
+import { choicesFrom } from '../files/importChoices.ts';
 import type { Meshes, OpenedFile } from '../files/fileState.ts';
 import { settingValues } from '../state/settings.ts';
 import { SETTINGS, settingIds, type SettingValues } from '../state/settingsTable.ts';
@@ -19,6 +20,11 @@ const LARGEST_SAVED_MESHES = 8e6;
 const WORK = 'work';
 const FILE = 'file';
 const MESHES = 'meshes';
+
+/** As it is stored; a step alone is what was stored once. */
+interface StoredFile extends OpenedFile {
+  timeStep?: unknown;
+}
 
 export class Autosave {
   private readonly app: App;
@@ -110,12 +116,12 @@ export class Autosave {
 
   /** Puts the stored file on the stage. False when it is not there any more. */
   async reopenFile(name: string): Promise<boolean> {
-    const saved = (await this.storage.large(FILE)) as Partial<OpenedFile> | undefined;
+    const saved = (await this.storage.large(FILE)) as Partial<StoredFile> | undefined;
     if (saved?.name !== name || !(saved.file instanceof Blob)) {
       this.app.actions.report('info', text.fileGone(name), [text.fileGoneHint(LARGEST_SAVED_FILE / 1e6)]);
       return false;
     }
-    await this.app.actions.openFile(name, saved.file, typeof saved.timeStep === 'number' ? saved.timeStep : undefined);
+    await this.app.actions.openFile(name, saved.file, choicesFrom(saved.choices ?? { step: saved.timeStep }));
     const motion = this.app.state.motion.peek();
     return motion?.source === 'file' && motion.title === name;
   }
@@ -180,9 +186,8 @@ export class Autosave {
     };
   }
 
-  private storeFile({ name, file, timeStep }: OpenedFile): void {
-    const saved: OpenedFile | null =
-      file.size > LARGEST_SAVED_FILE ? null : { name, file, ...(timeStep === undefined ? {} : { timeStep }) };
+  private storeFile({ name, file, choices }: OpenedFile): void {
+    const saved: StoredFile | null = file.size > LARGEST_SAVED_FILE ? null : { name, file, choices };
     if (!saved) this.app.actions.report('info', text.fileLarge(name), [text.fileLargeHint(LARGEST_SAVED_FILE / 1e6)]);
     void this.storage.putLarge(FILE, saved).then((reason) => this.complain(reason));
   }

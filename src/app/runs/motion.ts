@@ -2,6 +2,7 @@
 import type { Trajectory } from '../../core/motion/trajectory.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { PushRecord } from '../../core/simulation/push.ts';
+import type { ImportChoices, ImportPlan } from '../../csv/plan.ts';
 import type { SystemView } from '../../core/model/system.ts';
 
 /** One change that the consistent start made: a value that was named (or rest) and what it became. */
@@ -40,6 +41,14 @@ export interface FileIssue {
   message: string;
 }
 
+/** How a file was read, and what it takes to read it again. */
+export interface Imported {
+  file: Blob;
+  plan: ImportPlan;
+  /** What the person chose. */
+  choices: ImportChoices;
+}
+
 /** Something that can be watched: a live run, a loaded file, a mode. */
 export interface Motion {
   id: number;
@@ -61,6 +70,8 @@ export interface Motion {
   marks: readonly { time: number; name: string }[];
   /** The pushes on the run: with them, and only with them, the scenario can be run again. */
   pushes?: readonly PushRecord[];
+  /** Of a file. */
+  imported?: Imported;
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
   judgement: { energyDrift: number | null; energyChange: number; residual: number } | null;
 }

@@ -16,7 +16,21 @@ export interface Stage {
   samplerOf(motion: Motion): MotionSampler;
 }
 
+/** Columns of data that are spoken. */
+const MOST_SAID = 4;
 const DEGREE = Math.PI / 180;
+
+/** Data has nothing to show but its numbers. */
+function dataInWords({ columns = [] }: SystemMeta, title: string, t: number, at: (name: string) => number): string {
+  const said = columns
+    .slice(0, MOST_SAID)
+    .map(({ name, label, unit }) =>
+      unit === 'rad'
+        ? `${label} ${(at(name) / DEGREE).toFixed(1)}°`
+        : `${label} ${at(name).toPrecision(3)} ${unit}`.trim(),
+    );
+  return `${title} at ${t.toFixed(1)} s, without a scene: ${said.join('; ')}.`;
+}
 
 /** What the meta has a screen reader told, else every coordinate by its plain name. */
 function inWords({ title, coordinates, spoken }: SystemMeta, t: number, at: (name: string) => number): string {
@@ -49,7 +63,8 @@ export function stageOf({ state }: { state: StageState & Pick<PlaybackState, 'ti
     if (!motion || !now || motion.trajectory.length === 0) return;
     const t = state.time.peek();
     const at = (name: string): number => now.interpolated(name, t) ?? 0;
-    const text = inWords(motion.system.meta, t, at);
+    const { meta } = motion.system;
+    const text = meta.bodies.length > 0 ? inWords(meta, t, at) : dataInWords(meta, motion.title, t, at);
     if (text !== description.peek()) description.value = text;
   };
   setInterval(describe, 1000);

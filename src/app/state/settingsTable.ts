@@ -1,4 +1,5 @@
 /** Every switch of the page, one line each: what it is at first, which values it takes, and where it is stored, linked and drawn. */
+import { rememberedFrom, type RememberedChoices } from '../files/importChoices.ts';
 import { plotsFrom, type PlotsState } from './plotPanes.ts';
 
 export type Theme = 'light' | 'dark';
@@ -73,6 +74,8 @@ export const SETTINGS = {
   /** From aboard, the horizon stays level. */
   levelHorizon: setting(true, flag, { stored: 'look.level', drawn: 'level' }),
   quality: setting<Quality>('auto', oneOf('auto', 'low', 'high'), { stored: 'look.quality' }),
+  /** How files of a shape are read, where the person chose. */
+  imports: setting<RememberedChoices>({}, rememberedFrom, { stored: 'imports' }),
   /** Metres of arrow per newton. */
   metresPerNewton: setting(0.01, between(1e-6, 1), { drawn: 'metresPerNewton' }),
   /** Pressing on a body pushes it; with Shift it always does. */

@@ -164,6 +164,14 @@ export interface ContactMeta {
   solveFor: readonly string[];
 }
 
+/** A column that is no coordinate, as a file brings it. */
+export interface DataColumn {
+  name: string;
+  label: string;
+  /** SI and radians where it is one of them, else the file's own; '' where none is said. */
+  unit: string;
+}
+
 export interface SystemMeta {
   id: string;
   title: string;
@@ -206,6 +214,8 @@ export interface SystemMeta {
   headerless?: boolean;
   /** What a screen reader is told of a moment: sums of coordinates under a name; every coordinate where it is left out. */
   spoken?: readonly { label: string; values: readonly (readonly string[])[] }[];
+  /** Columns of data, which are no system's. */
+  columns?: readonly DataColumn[];
   /** Ways to look at it: from aboard, where it goes somewhere, and at a body close up. */
   views?: { ridden?: boolean; closeUp?: string };
 }

@@ -1,6 +1,6 @@
 /** The catalogue: what every column of a motion is called and measured in, recorded or computed, the same everywhere. */
 import { inputsOf } from '../model/inputs.ts';
-import type { ColourRole, SystemMeta, SystemView } from '../model/system.ts';
+import type { ColourRole, DataColumn, SystemMeta, SystemView } from '../model/system.ts';
 import { joined, symbolText, words, type Text } from './symbols.ts';
 
 export type ColumnKind = 'time' | 'length' | 'angle' | 'rate' | 'force' | 'energy' | 'power' | 'ratio';
@@ -84,6 +84,7 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
     ...meta.coordinates.flatMap((c) => pair(c.name, c.symbol, c.label, c.kind === 'angle', c.role)),
     ...(meta.sums ?? []).flatMap((s) => pair(s.name, s.symbol, s.label, true, s.role, 'computed')),
     ...inputsOf(meta).map((i) => column({ ...i, kind: 'force', role: roleOfInput(meta, i.column), group: 'inputs' })),
+    ...(meta.columns ?? []).map(dataColumn),
     ...contacts.flatMap((c) => [
       multiplier(c.lateral, `${c.label}, lateral force`, c.role),
       multiplier(c.vertical, `${c.label}, vertical force`, c.role),
@@ -134,6 +135,14 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
   ];
   // A coordinate's own name wins over what is computed.
   return new Map(all.reverse().map((c) => [c.name, c]));
+}
+
+/** A file's own column; turns and degrees by its unit. */
+function dataColumn({ name, label, unit }: DataColumn): Column {
+  const angle = unit === 'rad';
+  const degrees = angle || unit === 'rad/s';
+  const kind: ColumnKind = angle ? 'angle' : unit === 'm' ? 'length' : /\/s$/.test(unit) ? 'rate' : 'ratio';
+  return column({ name, symbol: name, label, unit, kind, degrees, turns: angle, group: 'other' });
 }
 
 const multiplier = (index: number, label: string, role: ColourRole | null): Column =>

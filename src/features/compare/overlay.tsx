@@ -22,7 +22,9 @@ export function Overlay({ runs }: { runs: readonly ShownRun[] }) {
   const charts = useRef(new Map<number, Chart>());
   const columns = columnsOf(runs);
   const meta = runs[0]!.motion.system.meta;
-  const fallback = meta.coordinates.find((c) => c.kind === 'angle')?.name ?? meta.coordinates[0]!.name;
+  const coordinate = meta.coordinates.find((c) => c.kind === 'angle') ?? meta.coordinates[0];
+  // Data has no coordinates: its first column.
+  const fallback = coordinate?.name ?? columns.find((c) => c !== 't') ?? 't';
   const known = (column: string, or: string): string => (columns.includes(column) ? column : or);
   const against = known(x.value, 't');
   const shown = runs.filter((run) => run.visible);

@@ -81,6 +81,7 @@ function Row({ run }: { run: PinnedRun }) {
   const { id, name, motion, visible, ghost } = run;
   const onStage = state.motion.value?.id === motion.id;
   const sameSystem = state.motion.value?.system.meta.id === motion.system.meta.id;
+  const drawn = motion.system.meta.bodies.length > 0;
   return (
     <li data-testid={`kept-${id}`}>
       <Swatch style={CURVES[run.style % CURVES.length]!} />
@@ -109,15 +110,17 @@ function Row({ run }: { run: PinnedRun }) {
       >
         {words.plots}
       </Toggle>
-      <Toggle
-        pressed={ghost}
-        label={words.showGhost(name)}
-        testId={`kept-ghost-${id}`}
-        {...(sameSystem ? {} : { title: words.otherSystem })}
-        onClick={() => pinned.change(id, { ghost: !ghost })}
-      >
-        {words.ghost}
-      </Toggle>
+      {drawn && (
+        <Toggle
+          pressed={ghost}
+          label={words.showGhost(name)}
+          testId={`kept-ghost-${id}`}
+          {...(sameSystem ? {} : { title: words.otherSystem })}
+          onClick={() => pinned.change(id, { ghost: !ghost })}
+        >
+          {words.ghost}
+        </Toggle>
+      )}
       <button
         type="button"
         class="quiet square"

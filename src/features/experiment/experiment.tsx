@@ -12,6 +12,7 @@ import { words } from './words.ts';
 export function Experiment() {
   return (
     <div class="experiment" data-enter="run">
+      <FileApart />
       <div class="scroll">
         <SystemSection />
         <StartSection />
@@ -23,6 +24,17 @@ export function Experiment() {
       </div>
       <RunBar />
     </div>
+  );
+}
+
+/** While a file is on the stage: it is not what stands below. */
+function FileApart() {
+  const motion = useUi().app.state.motion.value;
+  if (motion?.source !== 'file') return null;
+  return (
+    <p class="apart" role="note" data-testid="file-apart">
+      {words.onStage} <b>{motion.title}</b>. {words.apart}
+    </p>
   );
 }
 

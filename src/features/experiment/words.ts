@@ -1,5 +1,7 @@
 /** Words of the experiment: what a run starts from. */
 export const words = {
+  onStage: 'On the stage:',
+  apart: 'What stands below is the experiment, which the file does not change; Run shows it again.',
   title: 'Experiment',
   system: 'System',
   constraints: 'Constraints',

@@ -1,10 +1,9 @@
 // @vitest-environment happy-dom
-// Files come by the button or are dropped anywhere; what could not be used is listed.
+// Files come by the button or are dropped anywhere.
 import { cleanup, fireEvent, screen } from '@testing-library/preact';
 import { afterEach, expect, test, vi } from 'vitest';
-import { draw, putOnStage, testApp } from '../../../tests/ui/page.tsx';
+import { draw, testApp } from '../../../tests/ui/page.tsx';
 import { DropOverlay } from './dropOverlay.tsx';
-import { FileNotes, FilePanel } from './filePanel.tsx';
 import { OpenButtons } from './openButtons.tsx';
 import { words } from './words.ts';
 
@@ -41,20 +40,4 @@ test('over the page a file is welcome, and taken where it is dropped; a piece of
   drag('drop', ['Files'], [new File([''], 'run.csv')]);
   expect(screen.queryByTestId('drop')).toBeNull();
   expect(open).toHaveBeenCalledTimes(1);
-});
-
-test('the panel counts rows and columns of the open file; a run has none', () => {
-  const app = testApp();
-  const { scenario } = app.cases.find(({ id }) => id === 'stiff-decay-euler-8') ?? app.cases[0]!;
-  putOnStage(app, scenario);
-  const { container, unmount } = draw(<FileNotes />, { app });
-  expect(container.textContent).toBe('');
-  unmount();
-  draw(<FilePanel />, { app });
-  expect(screen.getByText(words.none)).toBeTruthy();
-  cleanup();
-  const { trajectory } = putOnStage(app, scenario, 'file');
-  draw(<FileNotes />, { app });
-  expect(screen.getByText(new RegExp(`${trajectory.columns.length} ${words.columns}`))).toBeTruthy();
-  expect(screen.getByText(words.clean)).toBeTruthy();
 });

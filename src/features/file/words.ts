@@ -1,24 +1,8 @@
-/** Words of opening files, and of what an open one holds. */
+/** Words of opening files. */
 export const words = {
-  title: 'File',
   open: 'Open',
-  openTitle: 'Open a CSV, a scenario or a mesh pair',
+  openTitle: 'Open a table of numbers, a scenario or a mesh pair',
   samples: 'Samples',
   samplesTitle: 'Sample runs',
-  issues: (n: number) => (n === 1 ? '1 note on this file' : `${n} notes on this file`),
-  clean: 'Every line was used.',
-  more: (n: number) => `and ${n} more`,
-  line: 'line',
-  column: 'column',
-  whole: 'whole file',
-  none: 'No file open. Drop a CSV anywhere on the page, or open one.',
-  stepTitle: 'Time step of this file',
-  stepAsk: (name: string) => `${name} has no header and no time column. How far apart are its rows?`,
-  step: 'time step',
-  use: 'Use this step',
-  giveUp: 'Do not open',
-  rowsPerSecond: (n: string) => `${n} rows in a second`,
-  drop: 'Drop a CSV, scenario or mesh pair',
-  rows: 'rows',
-  columns: 'columns',
+  drop: 'Drop a table of numbers, a scenario or a mesh pair',
 } as const;

@@ -1,15 +1,19 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
 import type { Motion } from '../../app/runs/motion.ts';
 import type { ColourRole } from '../../core/model/system.ts';
-import { columnOf, shownUnit, sumsOf } from '../../core/motion/columns.ts';
+import { columnOf, columnsOf, shownFactor, shownUnit, sumsOf } from '../../core/motion/columns.ts';
+import { DATA } from '../../core/motion/dataView.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
 import { useUi } from '../../ui/context.ts';
 import { Slot } from '../../ui/slot.tsx';
 import { sample, useSlowTime } from '../../ui/slowTime.ts';
-import { formatFixed, formatTime, formatValue, THIN } from '../../ui/kit/format.ts';
+import { formatFixed, formatShort, formatTime, formatValue, THIN } from '../../ui/kit/format.ts';
 import { Chip } from '../../ui/kit/chip.tsx';
 import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
+
+/** Rows drawn fifteen times a second; a logger may have hundreds. */
+const MOST_DATA = 60;
 
 /** With what the features have to say of what is on the stage. */
 export function NowTool() {
@@ -26,6 +30,7 @@ export function NowPanel() {
   const time = useSlowTime();
   const motion = state.motion.value;
   if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{words.empty}</p>;
+  if (motion.system.meta.id === DATA) return <DataNow motion={motion} time={time} />;
   const multipliers = motion.trajectory.columns.filter((name) => name.startsWith('lambda_'));
   return (
     <div class="now">
@@ -54,6 +59,36 @@ export function NowPanel() {
         </tbody>
       </table>
       {multipliers.length > 0 && <Multipliers motion={motion} names={multipliers} time={time} />}
+    </div>
+  );
+}
+
+/** Data: every column and its unit. */
+function DataNow({ motion: { system, trajectory }, time }: { motion: Motion; time: number }) {
+  const columns = columnsOf(system, trajectory.columns).filter(({ name }) => name !== 't');
+  return (
+    <div class="now">
+      <table data-testid="now">
+        <caption>
+          t = {formatTime(time)}
+          {THIN}s
+        </caption>
+        <tbody>
+          {columns.slice(0, MOST_DATA).map((column) => {
+            const value = sample(trajectory, column.name, time);
+            return (
+              <tr key={column.name}>
+                <th scope="row">{column.label}</th>
+                <td class="number" data-testid={`now-${column.name}`}>
+                  {value === null ? '–' : formatShort(value * shownFactor(column, true), 5)}
+                </td>
+                <td class="unit">{shownUnit(column, true)}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+      {columns.length > MOST_DATA && <p class="hint">{words.moreColumns(columns.length - MOST_DATA)}</p>}
     </div>
   );
 }

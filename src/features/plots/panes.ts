@@ -2,12 +2,17 @@
 import type { Motion } from '../../app/runs/motion.ts';
 import type { PlotPane, PlotsState } from '../../app/state/plotPanes.ts';
 import { columnsOf, groundCoordinates } from '../../core/motion/columns.ts';
+import { DATA } from '../../core/motion/dataView.ts';
 import { cases } from '../../core/systems/registry.ts';
 import { text } from './words.ts';
 
+/** Of data, in one plot and all together; the person adds more. */
+const MOST_CURVES = 4;
+const MOST_DATA_PANES = 4;
+
 /** What the plots belong to: another case or system brings its own. */
 export const keyOf = (motion: Motion, caseId: string): string =>
-  `${motion.system.meta.id}/${motion.source === 'run' ? caseId : ''}`;
+  `${motion.system.meta.id}/${motion.source === 'run' ? caseId : motion.system.meta.id === DATA ? motion.title : ''}`;
 
 export function panesOf(motion: Motion, caseId: string, { own }: PlotsState): readonly PlotPane[] {
   return own?.key === keyOf(motion, caseId) ? own.panes : suggested(motion, caseId);
@@ -55,7 +60,24 @@ function drives({ scenario }: Motion, name: string): boolean {
       : false;
 }
 
-function general({ system, trajectory }: Motion): PlotPane[] {
+/** Of data: columns of one unit in one plot, few enough to be told apart. */
+function ofData({ system, trajectory }: Motion): PlotPane[] {
+  const columns = columnsOf(system, trajectory.columns).filter(({ name }) => name !== 't');
+  const units = [...new Set(columns.map(({ unit }) => unit))];
+  return units
+    .flatMap((unit) => {
+      const names = columns.filter((c) => c.unit === unit).map((c) => c.name);
+      return Array.from({ length: Math.ceil(names.length / MOST_CURVES) }, (_, k) =>
+        names.slice(k * MOST_CURVES, (k + 1) * MOST_CURVES),
+      );
+    })
+    .slice(0, MOST_DATA_PANES)
+    .map((y) => ({ title: y.length === 1 ? y[0]! : text.names.data, x: 't', y }));
+}
+
+function general(motion: Motion): PlotPane[] {
+  const { system, trajectory } = motion;
+  if (system.meta.id === DATA) return ofData(motion);
   const { coordinates, order } = system.meta;
   const angles = coordinates.filter((c) => c.kind === 'angle').map((c) => c.name);
   const lengths = coordinates.filter((c) => c.kind === 'length').map((c) => c.name);

@@ -39,6 +39,7 @@ export const text = {
     power: 'Power',
     path: 'Path',
     state: 'State',
+    data: 'Data',
     energy: 'Energy',
     rolls: 'Own rolls of the plates',
     forces: 'Constraint forces',

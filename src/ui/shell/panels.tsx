@@ -114,7 +114,7 @@ export function Tools() {
 }
 
 export function Sheet() {
-  const { app, features, tools } = useUi();
+  const { app, tools } = useUi();
   const { state, actions } = app;
   const panel = usePanel();
   const current = useSignal(panel?.id ?? tools[0]?.id ?? '');
@@ -124,12 +124,11 @@ export function Sheet() {
     if (state.tool.value !== null) current.value = state.tool.value;
   });
   useSignalEffect(() => {
-    for (const { id, tab } of features) if (tab?.wanted?.(app)) current.value = id;
+    for (const { id, wanted } of tools) if (wanted?.(app)) current.value = id;
   });
   const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
     ...(panel ? [{ ...panel, there: true }] : []),
     ...tools.map((tool) => ({ ...tool, there: opened.includes(tool) })),
-    ...features.flatMap(({ id, tab }) => (tab ? [{ id, title: tab.title, Body: tab.Body, there: true }] : [])),
   ];
   const show = (id: string) => {
     current.value = id;

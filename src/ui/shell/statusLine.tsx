@@ -93,7 +93,7 @@ function FileFacts() {
         {motion.trajectory.columns.length} {text.status.columns}
       </span>
       {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
-      <Trust numbers={motion.judgement} driven={isDriven(motion)} />
+      {motion.system.meta.bodies.length > 0 && <Trust numbers={motion.judgement} driven={isDriven(motion)} />}
     </>
   );
 }

@@ -19,6 +19,7 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
     (system?.tracks ?? system?.contacts ?? []).length > 0,
     (system?.contacts ?? []).length > 0,
   ];
+  const drawn = !motion || motion.system.meta.bodies.length > 0;
   const closeUp = system?.meta.views?.closeUp !== undefined;
   const fileTitle = motion && motion.source !== 'run' ? motion.title : null;
   return (
@@ -35,11 +36,18 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
           <p>{sceneError}</p>
         </div>
       )}
+      {motion && !drawn && (
+        <div class="scene-error" data-testid="no-scene">
+          <h2>{text.dataOnly}</h2>
+          <p>{text.dataOnlyHint}</p>
+          <Slot name="noScene" />
+        </div>
+      )}
       <div class="stage-corner">
         {closeUp && state.showInset.value && sceneError.value === null && <Inset title={text.viewMenu.insetTitle} />}
         {forced && state.showForces.value && <ForceLegend />}
       </div>
-      <div class="views">
+      <div class="views" hidden={!drawn}>
         <Slot name="stagePad" />
         <div class="segments" role="group" aria-label={text.view.label}>
           {viewsOf(system?.meta.views).map((view) => (

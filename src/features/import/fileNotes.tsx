@@ -1,21 +1,18 @@
+/** The open file: what it holds, and what of it could not be used. */
+import type { Motion } from '../../app/runs/motion.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatCount } from '../../ui/kit/format.ts';
 import { words } from './words.ts';
 
 const SHOWN = 100;
 
-/** The open file: what it holds, and every line that could not be used. */
-export function FilePanel() {
-  const { state } = useUi().app;
-  void state.rowsVersion.value;
-  const motion = state.motion.value;
-  if (motion?.source !== 'file') return <p class="hint pad">{words.none}</p>;
-  const issues = motion.issues;
+export function FileFacts({ motion }: { motion: Motion }) {
+  const { issues, trajectory } = motion;
   return (
-    <div class="file">
+    <>
       <p class="file-title">{motion.title}</p>
       <p class="hint">
-        {formatCount(motion.trajectory.length)} {words.rows}, {motion.trajectory.columns.length} {words.columns}
+        {formatCount(trajectory.length)} {words.rows}, {trajectory.columns.length} {words.columns}
       </p>
       {issues.length === 0 ? (
         <p class="hint">{words.clean}</p>
@@ -36,17 +33,28 @@ export function FilePanel() {
           {issues.length > SHOWN && <p class="hint">{words.more(issues.length - SHOWN)}</p>}
         </details>
       )}
-    </div>
+    </>
   );
 }
 
-/** The same beside the numbers of the moment, while a file is on the stage. */
+/** Beside the numbers of the moment, while a file is on the stage. */
 export function FileNotes() {
-  if (useUi().app.state.motion.value?.source !== 'file') return null;
+  const { state, actions } = useUi().app;
+  const motion = state.motion.value;
+  if (motion?.source !== 'file') return null;
   return (
     <section class="file-section" aria-label={words.title}>
       <h3>{words.title}</h3>
-      <FilePanel />
+      <div class="file">
+        <FileFacts motion={motion} />
+        {motion.imported && (
+          <div>
+            <button type="button" data-testid="how-read" onClick={() => actions.set('tool', 'import')}>
+              {words.how}
+            </button>
+          </div>
+        )}
+      </div>
     </section>
   );
 }

@@ -150,7 +150,7 @@ export class FileOpener {
     if (known) return this.read({ name, file, choices: known });
     const found = await csv.understand(file, {});
     if (found.kind === 'refused') return this.fail(name, [describe({ ...found, column: '' })]);
-    const remembered = settings.state.imports.peek()[found.plan.shape] ?? {};
+    const remembered = settings.state.imports.peek()?.[found.plan.shape] ?? {};
     // A step is offered, not taken: another file of the shape may have another.
     const { step: _, ...others } = remembered;
     const again = Object.keys(others).length > 0 ? await csv.understand(file, others) : found;

@@ -61,19 +61,25 @@ export function choicesFrom(value: unknown): ImportChoices {
   ) as ImportChoices;
 }
 
-export function rememberedFrom(value: unknown): RememberedChoices | undefined {
+/** Null where nothing is. */
+export function rememberedFrom(value: unknown): RememberedChoices | null | undefined {
+  if (value === null) return null;
   if (!isRecord(value)) return undefined;
   const entries = Object.entries(value)
     .filter(([shape]) => shape.length <= LONGEST_SHAPE && shape !== '__proto__')
     .map(([shape, choices]) => [shape, choicesFrom(choices)] as const)
     .filter(([, choices]) => Object.keys(choices).length > 0);
-  return Object.fromEntries(entries.slice(-MOST_SHAPES));
+  return entries.length > 0 ? Object.fromEntries(entries.slice(-MOST_SHAPES)) : undefined;
 }
 
 /** With the choices for one shape; none at all forgets it. */
-export function remembering(known: RememberedChoices, shape: string, choices: ImportChoices): RememberedChoices {
-  const { [shape]: _, ...others } = known;
-  return rememberedFrom({ ...others, [shape]: choices }) ?? {};
+export function remembering(
+  known: RememberedChoices | null,
+  shape: string,
+  choices: ImportChoices,
+): RememberedChoices | null {
+  const { [shape]: _, ...others } = known ?? {};
+  return rememberedFrom({ ...others, [shape]: choices }) ?? null;
 }
 
 /** Later choices over earlier ones; columns and units are chosen one by one. */

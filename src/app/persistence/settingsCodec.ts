@@ -8,8 +8,8 @@ type Plain = Record<string, unknown>;
 export function toStored(values: Partial<SettingValues>): Plain {
   const plain: Plain = {};
   for (const id of settingIds) {
-    const { stored } = SETTINGS[id];
-    if (stored === undefined || !(id in values)) continue;
+    const { stored, sparse, initial } = SETTINGS[id];
+    if (stored === undefined || !(id in values) || (sparse && values[id] === initial)) continue;
     const [group, name] = placeOf(stored);
     if (group === null) plain[name] = values[id];
     else ((plain[group] ??= {}) as Plain)[name] = values[id];

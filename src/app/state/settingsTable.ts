@@ -27,6 +27,8 @@ export interface Setting<T> {
   check(value: unknown, page: PageFacts): T | undefined;
   /** Where the stored text has it, `name` or `group.name`: permanent. Without it, it is not stored. */
   stored?: string;
+  /** Stored only where it is not its initial value. */
+  sparse?: true;
   /** Its name in links: permanent. A link leaves it out at its initial value. */
   linked?: 'tool' | 'view' | 'plots';
   /** A link without it puts it back to its initial value; without `reset` such a link leaves it as it is. */
@@ -75,7 +77,7 @@ export const SETTINGS = {
   levelHorizon: setting(true, flag, { stored: 'look.level', drawn: 'level' }),
   quality: setting<Quality>('auto', oneOf('auto', 'low', 'high'), { stored: 'look.quality' }),
   /** How files of a shape are read, where the person chose. */
-  imports: setting<RememberedChoices>({}, rememberedFrom, { stored: 'imports' }),
+  imports: setting<RememberedChoices | null>(null, rememberedFrom, { stored: 'imports', sparse: true }),
   /** Metres of arrow per newton. */
   metresPerNewton: setting(0.01, between(1e-6, 1), { drawn: 'metresPerNewton' }),
   /** Pressing on a body pushes it; with Shift it always does. */

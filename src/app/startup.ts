@@ -3,6 +3,7 @@ import type { App } from './app.ts';
 import { Autosave } from './persistence/autosave.ts';
 import { browserStorage } from './persistence/browserStorage.ts';
 import { workOf, type Work } from './persistence/savedWork.ts';
+import { systemViews } from '../core/systems/registry.ts';
 import { systemMetas } from './store.ts';
 
 export interface Startup {
@@ -27,6 +28,10 @@ export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
         if (namesLink()) void openLink(autosave.suspendedWork ?? workOf(app.state));
       });
       void autosave.reopenMeshes();
+      void import('./persistence/keptRuns.ts').then(
+        ({ keepRuns }) => keepRuns(app, browserStorage, systemViews),
+        () => {},
+      );
       const file = new URLSearchParams(location.search).get('file');
       if (!namesLink() || !(await openLink(last))) {
         if (file !== null || last?.file === undefined || last.file === null || !(await autosave.reopenFile(last.file)))

@@ -12,11 +12,14 @@ export const text = {
     `Files of up to ${mb} MB are kept in this browser; open it again. Your scenario is as you left it.`,
   fileLarge: (name: string) => `${name} is open, but will not be kept`,
   fileLargeHint: (mb: number) => `It is longer than the ${mb} MB that are kept over a reload; its name is remembered.`,
+  runLarge: (name: string) => `\u201c${name}\u201d stays until the page is left`,
+  runLargeHint: (mb: number) => `Kept runs of up to ${mb} MB together survive a reload. Export it to keep it.`,
   forgotten: 'Everything stored in this browser is forgotten',
   forgottenHint: 'The page stays as it is. What you edit from now on is kept again.',
   notForgotten: 'What is stored could not be removed',
   forget: 'Forget everything stored',
-  forgetHint: 'Your last work is kept in this browser only: drafts, settings, the open file, dropped meshes.',
+  forgetHint:
+    'Your last work is kept in this browser only: drafts, settings, the open file, kept runs, the last sweep, dropped meshes.',
 } as const;
 
 export const shareText = {

@@ -120,8 +120,7 @@ test('an unusable CSV names line and column and leaves the run in place', async 
   await expect(message(page)).toHaveCount(1);
   await expect(message(page)).toHaveRole('alert');
   await expect(message(page)).toContainText('bad.csv');
-  await expect(message(page)).toContainText('line 2, column theta_bc');
-  await expect(message(page)).toContainText('line 4, column theta_bc');
+  await expect(message(page)).toContainText('lines 2 to 4, column theta_bc');
   await expect(message(page)).toContainText('"abc"');
   // A file that is no motion at all.
   await drop(page, 'letter.csv', 'Dear reader,\nthere are no numbers here\n');

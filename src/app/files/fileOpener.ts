@@ -10,7 +10,7 @@ import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
 import type { FileReading } from '../../compute/services/csvTypes.ts';
 import type { CsvClient } from '../../compute/client/csvClient.ts';
-import type { Motion } from '../runs/motion.ts';
+import type { FileIssue, Motion } from '../runs/motion.ts';
 import type { StageState } from '../runs/stageState.ts';
 import { ownCase, type CaseInfo } from '../state/cases.ts';
 import type { ExperimentState } from '../state/experiment.ts';
@@ -311,10 +311,10 @@ const SI: Readonly<Partial<Record<Kind, string>>> = {
 /** A number without a unit stays one. */
 const siUnit = (kind: Kind, unit: string): string => (unit === '' ? '' : (SI[kind] ?? unit));
 
-function describe(issue: { line: number; column: string; message: string }): string {
-  const place = [issue.line > 0 ? `line ${issue.line}` : '', issue.column ? `column ${issue.column}` : '']
-    .filter(Boolean)
-    .join(', ');
+function describe(issue: FileIssue): string {
+  const { line, to } = issue;
+  const lines = line === 0 ? '' : to === undefined ? `line ${line}` : `lines ${line} to ${to}`;
+  const place = [lines, issue.column ? `column ${issue.column}` : ''].filter(Boolean).join(', ');
   return place ? `${place}: ${issue.message}` : issue.message;
 }
 

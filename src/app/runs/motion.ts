@@ -36,6 +36,8 @@ export type RunState =
 export interface FileIssue {
   /** 1-based line in the file; 0 when it concerns the whole file. */
   line: number;
+  /** Last line, where the same holds for lines that follow one another. */
+  to?: number;
   /** Column name or 1-based number; empty when it concerns the whole line. */
   column: string;
   message: string;

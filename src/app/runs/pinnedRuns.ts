@@ -93,6 +93,17 @@ export class PinnedRuns {
     return pinned;
   }
 
+  /** Puts back what was pinned before, ahead of what is; as many as there is room for. */
+  restore(earlier: readonly Omit<PinnedRun, 'id'>[]): void {
+    const now = this.runs.peek();
+    const styles = new Set(now.map(({ style }) => style));
+    const back = earlier
+      .slice(0, MOST_PINNED - now.length)
+      .map((run) => ({ ...run, id: this.next++ }))
+      .map((run) => (styles.has(run.style) ? { ...run, style: freeStyle([...now, ...earlier]) } : run));
+    if (back.length > 0) this.list.value = [...back, ...now];
+  }
+
   /** The entry of the motion on the stage, if it is pinned. */
   ofStage(): PinnedRun | undefined {
     const id = this.stage.motion.value?.id;
@@ -145,8 +156,10 @@ export class PinnedRuns {
     for (let n = 2; ; n++) if (!names.has(`${title} (${n})`)) return `${title} (${n})`;
   }
 
-  private unusedStyle(): number {
-    const used = new Set(this.runs.peek().map((r) => r.style));
-    for (let n = 0; ; n++) if (!used.has(n)) return n;
-  }
+  private readonly unusedStyle = (): number => freeStyle(this.runs.peek());
+}
+
+function freeStyle(runs: readonly Pick<PinnedRun, 'style'>[]): number {
+  const used = new Set(runs.map((r) => r.style));
+  for (let n = 0; ; n++) if (!used.has(n)) return n;
 }

@@ -15,6 +15,8 @@ export interface SweepPlan {
   /** One or two; the first varies fastest. */
   axes: readonly SweepAxis[];
   measures: readonly SweepMeasure[];
+  /** The form it was asked for with, as the form wants it. */
+  form?: unknown;
 }
 
 /** One run of a sweep: its numbers in the order of the measures, NaN where it has none. */
@@ -84,6 +86,17 @@ export class Sweep {
       },
       () => this.finish('ended'),
     );
+  }
+
+  /** Puts back what was computed before; a sweep that was cut off is a cancelled one. */
+  restore({ plan, results }: { plan: SweepPlan; results: readonly (SweepResult | undefined)[] }): void {
+    const total = runsOf(plan);
+    this.results.length = 0;
+    this.results.push(...results.slice(0, total));
+    this.results.length = total;
+    this.done = this.progress = this.results.filter(Boolean).length;
+    this.ownPlan.value = plan;
+    this.finish(this.done === total ? 'ended' : 'cancelled');
   }
 
   /** What was computed stays. */

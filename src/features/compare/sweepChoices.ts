@@ -56,6 +56,17 @@ export function offeredAxis(subject: SweepPath | undefined, path: string, count:
   return now > 0 ? form(now / 2, now * 1.5) : form(now * 1.5, now / 2);
 }
 
+/** Two axes as they were stored, or null for anything else. */
+export function formsFrom(value: unknown): readonly [AxisForm, AxisForm] | null {
+  const isForm = (form: Partial<AxisForm> | null): boolean =>
+    typeof form === 'object' &&
+    form !== null &&
+    [form.path, form.from, form.to, form.count].every((text) => typeof text === 'string') &&
+    (form.scale === 'linear' || form.scale === 'logarithmic') &&
+    Array.isArray(form.methods);
+  return Array.isArray(value) && value.length === 2 && value.every(isForm) ? (value as [AxisForm, AxisForm]) : null;
+}
+
 /** @throws Error with words for the form */
 export function axisOf(form: AxisForm, paths: readonly SweepPath[]): SweepAxis {
   if (form.path === 'method') {

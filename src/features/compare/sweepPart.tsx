@@ -7,7 +7,7 @@ import { words } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { AxisFields } from './axisFields.tsx';
 import { MeasureFields } from './measureFields.tsx';
-import { axisOf, measurableColumns, offeredAxis, pathsOf, type AxisForm } from './sweepChoices.ts';
+import { axisOf, formsFrom, measurableColumns, offeredAxis, pathsOf, type AxisForm } from './sweepChoices.ts';
 import { SweepResults } from './sweepResults.tsx';
 
 const own = words.sweep;
@@ -39,16 +39,23 @@ function Form() {
   const { meta } = app.systemOf(file.system)!;
   const paths = pathsOf(meta, file);
   const first = paths?.[0];
+  // As it was asked for last, if that was of this system.
+  const last = app.sweep.plan.peek();
+  const forms = last?.file.system === file.system ? formsFrom(last.form) : null;
   const axes: readonly [Signal<AxisForm>, Signal<AxisForm>] = [
-    useSignal(offeredAxis(first, first?.path ?? '', 11)),
-    useSignal({ ...offeredAxis(undefined, '', 9), path: '' }),
+    useSignal(forms?.[0] ?? offeredAxis(first, first?.path ?? '', 11)),
+    useSignal(forms?.[1] ?? { ...offeredAxis(undefined, '', 9), path: '' }),
   ];
   const columns = measurableColumns(app, meta);
-  const measures = useSignal<readonly SweepMeasure[]>([
-    { kind: 'end', column: columns[0]! },
-    { kind: 'time' },
-    ...(meta.order === 1 ? [] : [{ kind: 'drift' } as const]),
-  ]);
+  const measures = useSignal<readonly SweepMeasure[]>(
+    forms
+      ? last!.measures
+      : [
+          { kind: 'end', column: columns[0]! },
+          { kind: 'time' },
+          ...(meta.order === 1 ? [] : [{ kind: 'drift' } as const]),
+        ],
+  );
   const asked = paths
     ? plan(
         axes.map((a) => a.value),
@@ -59,7 +66,13 @@ function Form() {
   const start = (event: Event) => {
     event.preventDefault();
     if (asked.axes)
-      app.sweep.start({ title: origin.value?.title ?? meta.title, file, axes: asked.axes, measures: measures.value });
+      app.sweep.start({
+        title: origin.value?.title ?? meta.title,
+        file,
+        axes: asked.axes,
+        measures: measures.value,
+        form: axes.map((a) => a.value),
+      });
   };
   const runs = asked.axes?.reduce((product, { values }) => product * values.length, 1) ?? 0;
   return (

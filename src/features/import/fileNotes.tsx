@@ -23,7 +23,7 @@ export function FileFacts({ motion }: { motion: Motion }) {
             {issues.slice(0, SHOWN).map((issue, i) => (
               <li key={i}>
                 <b>
-                  {issue.line > 0 ? `${words.line} ${issue.line}` : words.whole}
+                  {issue.line === 0 ? words.whole : words.lines(issue.line, issue.to)}
                   {issue.column !== '' && `, ${words.column} ${issue.column}`}
                 </b>
                 <span>{issue.message}</span>

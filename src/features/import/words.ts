@@ -9,7 +9,7 @@ export const words = {
   issues: (n: number) => (n === 1 ? '1 note on this file' : `${n} notes on this file`),
   clean: 'Every line was used.',
   more: (n: number) => `and ${n} more`,
-  line: 'line',
+  lines: (line: number, to?: number) => (to === undefined ? `line ${line}` : `lines ${line} to ${to}`),
   column: 'column',
   whole: 'whole file',
   how: 'How it was read',

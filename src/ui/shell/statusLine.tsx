@@ -78,11 +78,18 @@ function Trust({ numbers, driven }: { numbers: (EnergyFacts & { residual: number
   );
 }
 
+/** Lines that something is noted on, ranges by their length. */
+function linesOf({ issues }: Motion): number {
+  const lines = new Set<number>();
+  for (const { line, to = line } of issues) for (let l = line; l <= to && l > 0; l++) lines.add(l);
+  return lines.size;
+}
+
 function FileFacts() {
   const { state } = useUi().app;
   void state.rowsVersion.value;
   const motion = state.motion.value!;
-  const skipped = new Set(motion.issues.filter((i) => i.line > 0).map((i) => i.line)).size;
+  const skipped = linesOf(motion);
   return (
     <>
       <span class="file-name">{motion.title}</span>

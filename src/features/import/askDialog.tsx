@@ -2,6 +2,7 @@
 import { useRef, useState } from 'preact/hooks';
 import type { PendingFile } from '../../app/files/fileState.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useUi } from '../../ui/context.ts';
 import { Dialog } from '../../ui/kit/dialog.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
@@ -73,7 +74,7 @@ function StepForm({ pending: { name, question } }: { pending: PendingFile }) {
         <p>{words.stepAsk(name)}</p>
         <NumberField
           testId="step-field"
-          symbol="Δt"
+          symbol={<MathSymbol of="Δt" />}
           spec={{
             path: 'file.step',
             label: words.step,

@@ -2,6 +2,7 @@
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { ColumnPlan, ImportPlan } from '../../csv/plan.ts';
 import { useUi } from '../../ui/context.ts';
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { missingOf, sentTo, targetsOf, unitsFor, type Target } from './choices.ts';
 import { words } from './words.ts';
 
@@ -9,7 +10,7 @@ export function ColumnsTable({ plan, meta }: { plan: ImportPlan; meta: SystemMet
   const missing = missingOf(plan, meta);
   return (
     <>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label={words.columnsTitle}>
+      <TableScroll label={words.columnsTitle}>
         <table class="import-columns" data-testid="import-columns">
           <thead>
             <tr>
@@ -24,7 +25,7 @@ export function ColumnsTable({ plan, meta }: { plan: ImportPlan; meta: SystemMet
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       {missing.length > 0 && <p class="hint">{words.missing(missing.join(', '))}</p>}
     </>
   );

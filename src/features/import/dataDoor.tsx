@@ -1,4 +1,5 @@
 /** In the place of the scene, where the file is data: where its numbers are. */
+import './open.css';
 import { useUi } from '../../ui/context.ts';
 import { words } from './words.ts';
 

@@ -1,4 +1,5 @@
 /** The open file: what it holds, and what of it could not be used. */
+import './open.css';
 import type { Motion } from '../../app/runs/motion.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatCount } from '../../ui/kit/format.ts';

@@ -4,6 +4,7 @@ import type { Motion } from '../../app/runs/motion.ts';
 import type { ImportPlan } from '../../csv/plan.ts';
 import { useUi } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
+import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { drafted } from './choices.ts';
 import { ColumnsTable } from './columnsTable.tsx';
 import { FileFacts } from './fileNotes.tsx';
@@ -78,7 +79,7 @@ function Reading({
 
 function Preview({ plan: { columns, preview } }: { plan: ImportPlan }) {
   return (
-    <div class="table-scroll" tabIndex={0} role="region" aria-label={words.previewRegion}>
+    <TableScroll label={words.previewRegion}>
       <table class="import-preview" data-testid="import-preview">
         <thead>
           <tr>
@@ -99,6 +100,6 @@ function Preview({ plan: { columns, preview } }: { plan: ImportPlan }) {
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }

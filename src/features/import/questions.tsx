@@ -1,4 +1,5 @@
 /** What the file leaves open, over the stage and in the tool: one press reads it the other way. */
+import './open.css';
 import type { Question } from '../../csv/plan.ts';
 import { useUi } from '../../ui/context.ts';
 import { words } from './words.ts';

@@ -2,6 +2,7 @@
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { NumberOrExpression } from '../../core/scenario/types.ts';
 import type { Encoding, ImportChoices, ImportPlan, Separator } from '../../csv/plan.ts';
+import { MathSymbol } from '../../charts/textView.tsx';
 import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
@@ -100,7 +101,7 @@ function StepField({ step, change }: { step: number; change: Part['change'] }) {
   return (
     <NumberField
       testId="import-step"
-      symbol="Δt"
+      symbol={<MathSymbol of="Δt" />}
       spec={{
         path: 'import.step',
         label: words.step,

@@ -1,8 +1,9 @@
 /** Words of how a file was read. */
+import { firstWords } from './firstWords.ts';
 import type { Encoding, Separator, TimeForm } from '../../csv/plan.ts';
 
 export const words = {
-  title: 'File',
+  title: firstWords.title,
   none: 'No file open. Drop one anywhere on the page, or open one: a table of numbers, a scenario or a mesh pair.',
   rows: 'rows',
   columns: 'columns',

@@ -2,6 +2,7 @@
 // docs/pictures/views/<view>-<desk or phone>-<theme>.webp, listed in docs/pictures/README.md. Tools are those of the page.
 /* global window, document, setTimeout -- functions given to the page run there */
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { Buffer } from 'node:buffer';
 import { join } from 'node:path';
 import { webp } from './case-pictures.mjs';
 import { root } from './setup.mjs';
@@ -72,8 +73,18 @@ async function viewsOf(page, form) {
     { name: 'control', open: () => showControl(page, tabs) },
     ...tools.map((tool) => ({
       name: `${tabs && tool === 'experiment' ? '' : 'tool-'}${tool}`,
-      open: () => openTool(page, tool, tabs),
+      open: async () => {
+        if (tool === 'import') await openFile(page, SLEIGH);
+        await openTool(page, tool, tabs);
+      },
     })),
+    {
+      name: 'data',
+      open: async () => {
+        await openFile(page, LOG);
+        await openTool(page, 'plots', tabs);
+      },
+    },
   ];
 }
 
@@ -91,6 +102,34 @@ async function putOnStage(page) {
     actions.set('view', 'side');
     actions.set('view', 'orbit');
   }, ON_STAGE);
+}
+
+/** A logger's file whose angles name no unit, and one that names no system's coordinates. */
+const times = Array.from({ length: 120 }, (_, i) => i / 30);
+const comma = (numbers) => numbers.map((x) => x.toFixed(2).replace('.', ',')).join(';');
+const SLEIGH = {
+  name: 'sleigh.csv',
+  text: [
+    'Zeit;x;y;theta;Temp',
+    'ms;mm;mm;;°C',
+    ...times.map((t) => comma([1000 * t, 900 * Math.sin(t), 450 * (1 - Math.cos(t)), 200 * Math.sin(t / 2), 21])),
+  ].join('\n'),
+};
+const LOG = {
+  name: 'motor log.csv',
+  text: [
+    'time [s],voltage [V],current [A],gyro z [deg/s]',
+    ...times.map((t) => [t, 12 - Math.sin(t) / 4, 2 + Math.sin(3 * t), 40 * Math.sin(2 * t)].join()),
+  ].join('\n'),
+};
+
+async function openFile(page, { name, text }) {
+  await page.setInputFiles(id('open-file'), { name, mimeType: 'text/csv', buffer: Buffer.from(text) });
+  await page.waitForFunction((title) => window.ripstikApp.state.motion.value?.title === title, name);
+  await page.evaluate(() => {
+    window.ripstikApp.actions.pause();
+    window.ripstikApp.actions.seek(1.5);
+  });
 }
 
 async function showControl(page, tabs) {

@@ -1,4 +1,5 @@
 /** Curves and points in a frame. */
+import { interpolate } from '../core/motion/interpolation.ts';
 import { decimated, Envelope } from '../core/motion/envelope.ts';
 import type { Text } from '../core/motion/symbols.ts';
 import { toX, toY, type Extent, type Frame, type Mark } from './frame.ts';
@@ -22,6 +23,8 @@ export interface Curve {
   envelope?: Envelope;
   /** Rows that will not change any more. */
   settled?: number;
+  /** dy/dx at the rows: where they lie apart, the curve bends between them as it does in the motion. */
+  rate?: ArrayLike<number> | undefined;
   /** Rows that are drawn, all without it. */
   rows?: readonly [first: number, end: number];
   /** Each value is marked. */
@@ -38,6 +41,9 @@ export interface CurveMark extends Mark {
 const FINE = 0.4;
 /** Points of a path at the most. */
 const PATH_POINTS = 20_000;
+/** Between two rows a curve gets points so far apart, px, where it leaves the chord by more than this, px. */
+const APART = 1.5;
+const BENT = 0.15;
 /** A point counts as pointed at within this, px. */
 const REACH = 14;
 
@@ -121,11 +127,41 @@ function draw(surface: Surface, frame: Frame, curve: Kept): void {
       Math.max(100, Math.round(frame.width)),
       curve.settled ?? end,
     );
-    trace(pen, frame, few.t, few.y, 0, few.t.length, 1, xFactor, yFactor);
+    const bent = between(few, frame, curve, end);
+    trace(pen, frame, bent.t, bent.y, 0, bent.t.length, 1, xFactor, yFactor);
   } else trace(pen, frame, curve.x, curve.y, first, end, stepOf(curve), xFactor, yFactor);
   pen.end();
   surface.setLineDash([]);
   if (curve.points) points(surface, frame, curve);
+}
+
+/** What is drawn of the rows, with points between them where the curve bends; as it is where rows were left out. */
+function between(
+  few: { t: number[]; y: number[] },
+  frame: Frame,
+  { x, y, rate, xFactor = 1, yFactor = 1 }: Curve,
+  end: number,
+): { t: number[]; y: number[] } {
+  const first = rate ? firstAt(x, few.t[0] ?? NaN) : 0;
+  if (!rate || first + few.t.length > end || x[first + few.t.length - 1] !== few.t.at(-1)) return few;
+  const out: { t: number[]; y: number[] } = { t: [], y: [] };
+  for (let row = first; row < first + few.t.length; row++) {
+    out.t.push(x[row]!);
+    out.y.push(y[row]!);
+    if (row + 1 >= first + few.t.length) break;
+    const at = (share: number): number => x[row]! + share * (x[row + 1]! - x[row]!);
+    const away = Math.abs(interpolate(x, y, rate, row, at(0.5)) - 0.5 * (y[row]! + y[row + 1]!));
+    const turn = Math.abs(interpolate(x, y, rate, row, at(0.25)) - 0.75 * y[row]! - 0.25 * y[row + 1]!);
+    const leaves = Math.abs(toY(frame, yFactor * Math.max(away, turn)) - toY(frame, 0));
+    if (!(leaves > BENT)) continue;
+    const wide = toX(frame, xFactor * x[row + 1]!) - toX(frame, xFactor * x[row]!);
+    const pieces = Math.ceil(wide / APART);
+    for (let k = 1; k < pieces; k++) {
+      out.t.push(at(k / pieces));
+      out.y.push(interpolate(x, y, rate, row, at(k / pieces)));
+    }
+  }
+  return out;
 }
 
 function trace(

@@ -98,3 +98,28 @@ test('the point nearest to the pointer is picked, and none from afar', () => {
   expect(mark.pick!(frame, 102, 27)).toBe(1);
   expect(mark.pick!(frame, 60, 90)).toBe(null);
 });
+
+test('between rows a curve bends as its rate says, and only there', () => {
+  // A regulator's first rows: fast at first, at rest after.
+  const x = Float64Array.of(0, 0.2, 0.4, 0.6, 0.8, 1);
+  const f = (t: number): number => Math.exp(-8 * t);
+  const y = x.map(f);
+  const rate = x.map((t) => -8 * f(t));
+  const few = traced(curve(x, y, { rising: true }));
+  const many = traced(curve(x, y, { rising: true, rate }));
+  expect(few).toHaveLength(x.length);
+  expect(many.length).toBeGreaterThan(20);
+  expect(many.filter(([px]) => px > 155)).toHaveLength(2);
+  for (const row of few) expect(many).toContainEqual(row);
+  const middle = many.find(([px]) => Math.abs(px - 20) < 1.5)!;
+  const chord = 50 - 25 * (0.5 * (y[0]! + y[1]!));
+  const exact = 50 - 25 * f(middle[0] / 200);
+  expect(Math.abs(middle[1] - exact)).toBeLessThan(0.3 * Math.abs(chord - exact));
+  // A straight line needs no points, an unknown rate gives none, and rows that were left out are not asked for.
+  expect(traced(curve(x, x, { rising: true, rate: x.map(() => 1) }))).toHaveLength(x.length);
+  expect(traced(curve(x, y, { rising: true, rate: x.map(() => NaN) }))).toHaveLength(x.length);
+  const long = Float64Array.from({ length: 20_000 }, (_, i) => i / 19_999);
+  const wild = long.map((t) => Math.sin(3000 * t));
+  const steep = long.map((t) => 3000 * Math.cos(3000 * t));
+  expect(traced(curve(long, wild, { rising: true, rate: steep })).length).toBeLessThanOrEqual(2 * 201);
+});

@@ -60,6 +60,11 @@ export class ColumnValues {
     return this.made.subarray(0, rows);
   }
 
+  /** Its rate at the rows, where that is recorded and no whole turns lie between them: for what draws between rows. */
+  get rate(): Float64Array | undefined {
+    return this.recipe || this.period > 0 ? undefined : this.trajectory.column(`${this.name}_dot`);
+  }
+
   /** Rows are missing: ask again. */
   get behind(): boolean {
     return this.recipe !== null && this.count < this.trajectory.settled;

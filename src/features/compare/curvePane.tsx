@@ -99,7 +99,9 @@ function pictureOf({ runs, x, y, equal }: Shown, degrees: boolean): Picture {
       y: ys.get(),
       xFactor: shownFactor(x, degrees),
       yFactor: shownFactor(y, degrees),
-      ...(x.name === 't' ? { rising: true, envelope: ys.envelope, settled: motion.trajectory.settled } : {}),
+      ...(x.name === 't'
+        ? { rising: true, envelope: ys.envelope, settled: motion.trajectory.settled, rate: ys.rate }
+        : {}),
     };
   });
   return {

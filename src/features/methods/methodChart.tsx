@@ -101,6 +101,7 @@ function overTime(
         rising: true,
         envelope,
         settled: trajectory.settled,
+        rate: trajectory.column(`${name}_dot`),
         loose: state === 'ended' && ABANDONED.has(reason),
       },
     ];

@@ -45,7 +45,13 @@ export function pictureOf({ pane, motion, values, range }: PaneProps, degrees: b
       xFactor: overTime ? 1 : shownFactor(infoOf(pane.x), degrees),
       yFactor: shownFactor(infoOf(name), degrees),
       ...(overTime
-        ? { rising: true, envelope: column.envelope, settled: trajectory.settled, rows: [0, y.length] }
+        ? {
+            rising: true,
+            envelope: column.envelope,
+            settled: trajectory.settled,
+            rows: [0, y.length],
+            rate: column.rate,
+          }
         : { rows: rowsWithin(t.subarray(0, Math.min(xs.length, y.length)), ...limits(motion, range.peek(), pane.to)) }),
     };
   });

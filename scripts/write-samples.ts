@@ -6,7 +6,7 @@ import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../src/core/scenario/types.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/all.ts';
-import { csvHeader } from '../src/csv/csv.ts';
+import { csvComments, csvHeader } from '../src/csv/csv.ts';
 
 /** The report's player drew 60 rows a second. */
 const STEP = 1 / 60;
@@ -80,7 +80,8 @@ export function textOf(sample: Sample): string {
   const rows = Array.from(data[0]!, (_, row) => data.map((column, c) => decimal(column[row]! * scale[c]!)).join(','));
   if (sample.bare) return `${rows.join('\n')}\n`;
   const header = sample.degrees ? columns.map((name) => `${name} [${unitOf(name)}]`) : columns;
-  return `${csvHeader(header, [`scenario: ${JSON.stringify(sample.scenario)}`])}${rows.join('\n')}\n`;
+  const behind = csvComments([`scenario: ${JSON.stringify(sample.scenario)}`]);
+  return `${csvHeader(header)}${rows.join('\n')}\n${behind}`;
 }
 
 function isAngle(column: string): boolean {

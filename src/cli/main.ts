@@ -8,6 +8,7 @@ import { systems } from '../core/systems/all.ts';
 import { bench } from './bench.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
+import { read, type ReadOptions } from './read.ts';
 import { simulate } from './simulate.ts';
 import { UsageError, pathOf } from './usage.ts';
 
@@ -17,13 +18,16 @@ const USAGE = `Usage:
                                                                      as JSON how many digits are right until when
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
+  npm run --silent ripstik -- read FILE [--out RUN.csv]              any table of numbers: what is understood, as JSON; its rows as CSV
+       [--units alpha=deg,…] [--map theta=yaw,…] [--time COLUMN] [--step SECONDS] [--system ID] [--run N] [--rates savitzky-golay]
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
 const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
 
-function readScenario(name: string | undefined): Scenario {
+/** A scenario, and its JSON as it was written. */
+function readScenario(name: string | undefined): { scenario: Scenario; written: unknown } {
   if (!name) throw new UsageError('which scenario? Name a JSON file');
   let text: string;
   try {
@@ -33,7 +37,7 @@ function readScenario(name: string | undefined): Scenario {
       `${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`,
     );
   }
-  return parseScenario(text, metas);
+  return { scenario: parseScenario(text, metas), written: JSON.parse(text.replace(/^\ufeff/, '')) };
 }
 
 function listCases(id: string | undefined): void {
@@ -62,28 +66,37 @@ function takeFlag(rest: string[], name: string): boolean {
   return at >= 0;
 }
 
+function readOptions(rest: string[]): ReadOptions {
+  const names = ['units', 'step', 'map', 'time', 'system', 'run', 'rates'] as const;
+  return Object.fromEntries(names.map((name) => [name, takeOption(rest, `--${name}`)]));
+}
+
 async function main(args: readonly string[]): Promise<number> {
   const [command, ...rest] = args;
   const out = takeOption(rest, '--out');
   const verify = takeFlag(rest, '--verify');
+  const reading = command === 'read' ? readOptions(rest) : {};
   const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
   if (verify && command !== 'simulate') throw new UsageError('--verify is for simulate');
   if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
   switch (command) {
     case 'simulate': {
-      const scenario = readScenario(rest[0]);
-      return simulate(scenario, systems[scenario.system]!, { name: rest[0]!, out, verify });
+      const { scenario, written } = readScenario(rest[0]);
+      return simulate(scenario, systems[scenario.system]!, { name: rest[0]!, out, written, verify });
     }
     case 'point': {
-      const scenario = readScenario(rest[0]);
+      const { scenario } = readScenario(rest[0]);
       print(point(scenario, systems[scenario.system]!));
       return 0;
     }
     case 'linearize': {
-      const scenario = readScenario(rest[0]);
+      const { scenario } = readScenario(rest[0]);
       print(controlReport(scenario, systems[scenario.system]!));
       return 0;
     }
+    case 'read':
+      print(await read(rest[0], metas, { out, ...reading }));
+      return 0;
     case 'cases':
       listCases(rest[0]);
       return 0;
@@ -96,7 +109,7 @@ async function main(args: readonly string[]): Promise<number> {
       process.stdout.write(`${USAGE}\n`);
       return command === undefined ? 2 : 0;
     default:
-      throw new UsageError(`no command "${command}"; there are simulate, point, linearize, cases and bench`);
+      throw new UsageError(`no command "${command}"; there are simulate, point, linearize, read, cases and bench`);
   }
 }
 

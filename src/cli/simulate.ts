@@ -3,7 +3,7 @@ import type { Scenario } from '../core/scenario/types.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import { DigitsMeter, secondScenario, trustSentence, type Trust } from '../core/simulation/trust.ts';
 import type { System } from '../core/model/system.ts';
-import { writeCsv } from '../csv/csv.ts';
+import { csvComments, writeCsv } from '../csv/csv.ts';
 import { openOutput, type Output } from './output.ts';
 import { progressLine } from './progress.ts';
 
@@ -16,12 +16,14 @@ export interface SimulateOptions {
   /** As typed, `-` for standard input. */
   name: string;
   out: string | undefined;
+  /** The scenario's JSON as it was given. */
+  written: unknown;
   /** Computes a second time and tells how many digits agree. */
   verify: boolean;
 }
 
 /**
- * Runs a scenario into a CSV file (or standard output).
+ * Runs a scenario into a CSV file (or standard output); the scenario stands behind the table, so that it can be run again.
  * @returns 0, or 3 when the run stopped before its duration (the reason goes to standard error)
  */
 export async function simulate(scenario: Scenario, system: System, options: SimulateOptions): Promise<number> {
@@ -43,7 +45,9 @@ export async function simulate(scenario: Scenario, system: System, options: Simu
     await table(simulation, scenario, output, second, options.out !== undefined);
     trust = second ? await second.finish(simulation) : null;
     // Behind the table, where a program that knows no comments has read all numbers.
-    for (const warning of simulation.warnings) output.write(`# warning: ${warning}\n`);
+    output.write(
+      csvComments([`scenario: ${JSON.stringify(options.written)}`, ...simulation.warnings.map((w) => `warning: ${w}`)]),
+    );
     if (trust) output.write(`# trust: ${trustSentence(trust)}\n`);
     output.finish();
   } catch (error) {

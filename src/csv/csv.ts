@@ -10,9 +10,14 @@ const ROWS_PER_PIECE = 2000;
 /** Characters read at a time. */
 const PIECE = 1 << 20;
 
-/** The lines above the rows: `#` comments, then the header. */
-export function csvHeader(columns: readonly string[], comments: readonly string[] = []): string {
-  return [...comments.map((c) => `# ${c.replace(/[\r\n]+/g, ' ')}`), columns.join(',')].join('\n') + '\n';
+/** The line above the rows: a spreadsheet and pandas take the first line for the names. */
+export function csvHeader(columns: readonly string[]): string {
+  return `${columns.join(',')}\n`;
+}
+
+/** Lines behind the rows that begin with `#`. */
+export function csvComments(comments: readonly string[]): string {
+  return comments.map((c) => `# ${c.replace(/[\r\n]+/g, ' ')}\n`).join('');
 }
 
 /**
@@ -31,13 +36,13 @@ export function* csvRows(data: readonly Float64Array[], from = 0, to = data[0]?.
   }
 }
 
-/** A whole CSV file: comments, header, rows. */
+/** A whole CSV file: header, rows, comments. */
 export function writeCsv(
   columns: readonly string[],
   data: readonly Float64Array[],
   comments: readonly string[] = [],
 ): string {
-  return csvHeader(columns, comments) + [...csvRows(data)].join('');
+  return csvHeader(columns) + [...csvRows(data)].join('') + csvComments(comments);
 }
 
 /** Reads a whole CSV file; see docs/csv-format.md for what is understood. Never throws for bad input. */

@@ -68,7 +68,7 @@ describe('round trip', () => {
   });
 
   test('a comment stays a comment', () => {
-    expect(writeCsv(['t'], [Float64Array.of(0)], ['a\r\nb\n7'])).toBe('# a b 7\nt\n0\n');
+    expect(writeCsv(['t'], [Float64Array.of(0)], ['a\r\nb\n7'])).toBe('t\n0\n# a b 7\n');
   });
 });
 

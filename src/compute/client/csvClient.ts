@@ -68,7 +68,7 @@ export class CsvClient {
       const part = await this.worker
         .call(
           'csv.write',
-          { heading: from === 0 ? { columns, comments } : null, data },
+          { columns: from === 0 ? columns : null, data, comments: from + ROWS_PER_PART >= length ? comments : null },
           { transfer: data.map((column) => column.buffer as ArrayBuffer) },
         )
         .result.catch((error: unknown) => Promise.reject(plain(error)));

@@ -1,8 +1,8 @@
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import { judgeMotion } from '../../core/simulation/judge.ts';
-import { csvHeader, csvRows, type CsvResult } from '../../csv/csv.ts';
-import { readStream, understandStream } from '../../csv/reading/stream.ts';
+import { csvComments, csvHeader, csvRows, type CsvResult } from '../../csv/csv.ts';
+import { ENDING, readStream, scenarioIn as systemIn, understandStream } from '../../csv/reading/stream.ts';
 import { Transferred, type Caller, type Handlers } from '../remote/serve.ts';
 import type { CsvCalls, FileReading, ReadProgress, ReadRequest } from './csvTypes.ts';
 import { systemOf } from './load.ts';
@@ -21,10 +21,15 @@ export const calls: Handlers<CsvCalls> = {
       result.data.map((column) => column.buffer as ArrayBuffer),
     );
   },
-  'csv.understand': ({ file, choices }) =>
-    understandStream(file.stream(), { systems: metas, data: true, ...(choices ? { choices } : {}) }),
-  'csv.write': ({ heading, data }) =>
-    new Blob([heading ? csvHeader(heading.columns, heading.comments) : '', ...csvRows(data)]),
+  'csv.understand': async ({ file, choices }) =>
+    understandStream(file.stream(), {
+      systems: metas,
+      data: true,
+      preferred: await systemBehind(file),
+      ...(choices ? { choices } : {}),
+    }),
+  'csv.write': ({ columns, data, comments }) =>
+    new Blob([columns ? csvHeader(columns) : '', ...csvRows(data), comments ? csvComments(comments) : '']),
 };
 
 /** Between two pieces the mailbox is looked at. */
@@ -33,9 +38,11 @@ async function readFile(
   { signal, emit }: Caller<ReadProgress, never>,
 ): Promise<CsvResult> {
   let reported = 0;
+  const preferred = await systemBehind(file);
   return readStream(file.stream(), {
     systems: metas,
     size: file.size,
+    preferred,
     ...(timeStep === undefined ? {} : { timeStep }),
     ...(choices ? { choices, data: true } : {}),
     after: async (bytes, rows) => {
@@ -47,6 +54,10 @@ async function readFile(
       return signal.aborted;
     },
   });
+}
+
+async function systemBehind(file: Blob): Promise<string | null> {
+  return systemIn(new Uint8Array(await file.slice(-ENDING).arrayBuffer()));
 }
 
 type Motion = Extract<CsvResult, { kind: 'motion' }>;

@@ -36,6 +36,8 @@ export interface FileReading {
 
 export interface WriteRequest {
   /** Of those rows that begin a file. */
-  heading: { columns: string[]; comments: string[] } | null;
+  columns: string[] | null;
   data: Float64Array[];
+  /** Of those rows that end it. */
+  comments: string[] | null;
 }

@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../core/model/system.ts';
+import { splitTitle, unitBehind } from '../units/titles.ts';
 import { attitudeOf, lookUp, vocabularyOf, type Hit, type Systems } from './vocabulary.ts';
 
 /** A system that a header may be of, and what each column is in it. */
@@ -67,7 +68,7 @@ export function candidate(
   });
   for (const [name, index] of chosen) {
     const word = [...vocabulary.words.values()].find((w) => w.name === name);
-    if (word && index >= 0) hits[index] = { word, unit: '', rank: -1 };
+    if (word && index >= 0) hits[index] = { word, unit: unitIn(titles[index] ?? ''), rank: -1 };
   }
   const there = new Set(hits.map((hit) => hit?.word.name));
   const made = attitude ? Object.values(attitudeOf(meta) ?? {}) : [];
@@ -77,4 +78,9 @@ export function candidate(
     hits,
     missing: meta.coordinates.map((q) => q.name).filter((name) => !there.has(name) && !made.includes(name)),
   };
+}
+
+function unitIn(title: string): string {
+  const { name, unit } = splitTitle(title);
+  return unit || (unitBehind(name)?.unit ?? '');
 }

@@ -4,6 +4,7 @@ import type { ImportChoices, ImportPlan, Question } from '../plan.ts';
 import { orderOf } from '../time/order.ts';
 import { doubtsOf } from '../units/doubts.ts';
 import { anglesOf, unwrap } from './angles.ts';
+import { ratesOf } from './rates.ts';
 import type { RowStore } from './rows.ts';
 import type { CsvResult } from './textReader.ts';
 
@@ -27,6 +28,7 @@ export function finishMotion(
   if (system && plan.columns.some((c) => c.role === 'quaternion')) [columns, data] = withAngles(columns, data, system);
   // A computed angle is what it is; a recorded one may be within a turn.
   if (scenario === null) unwrapped(columns, data, plan, system, notes);
+  if (system && plan.rates === 'savitzky-golay') [columns, data] = withRates(columns, data, system, notes);
   if (store.rows === 1) notes.push('one usable row only: it is shown as a still picture');
   return {
     kind: 'motion',
@@ -69,6 +71,27 @@ function withAngles(names: string[], data: Float64Array[], system: SystemMeta): 
   return [order, order.map((name) => columns.get(name)!)];
 }
 
+/** Adds the rates that the file does not hold. */
+function withRates(
+  columns: string[],
+  data: Float64Array[],
+  system: SystemMeta,
+  notes: string[],
+): [string[], Float64Array[]] {
+  const names = system.coordinates.map((q) => q.name);
+  const made = new Map<string, Float64Array>();
+  for (const name of names) {
+    const rates = columns.includes(`${name}_dot`) ? null : ratesOf(data[columns.indexOf(name)]!, data[0]!);
+    if (rates) made.set(`${name}_dot`, rates);
+  }
+  if (made.size === 0) return [columns, data];
+  notes.push(`rates by differentiation (Savitzky-Golay): ${[...made.keys()].join(', ')}`);
+  const all = new Map([...columns.map((name, c) => [name, data[c]!] as const), ...made]);
+  const states = ['t', ...names, ...names.map((name) => `${name}_dot`)].filter((name) => all.has(name));
+  const order = [...states, ...columns.filter((name) => !states.includes(name))];
+  return [order, order.map((name) => all.get(name)!)];
+}
+
 function unwrapped(
   columns: readonly string[],
   data: readonly Float64Array[],
@@ -91,7 +114,9 @@ function questionsOf(
   known: boolean,
   runs: readonly number[],
 ): Question[] {
-  const questions = plan.questions.filter((q) => q.id !== 'degrees' && q.id !== 'lengths');
+  const questions = plan.questions.filter(
+    (q) => q.id !== 'degrees' && q.id !== 'lengths' && !(known && q.id === 'time-unit'),
+  );
   if (plan.system !== null && !known) {
     const unsaid = plan.columns
       .filter((c) => c.role === 'coordinate' && c.unit === '' && c.unitFrom === 'none')

@@ -15,6 +15,8 @@ export interface CsvOptions {
   timeStep?: number;
   /** What a person decided. */
   choices?: ImportChoices;
+  /** System of a scenario behind the table, where it is known. */
+  preferred?: string | null;
   /** Opens what names no system's coordinates as data; otherwise it is unusable. */
   data?: boolean;
   /** Takes the safest reading where a question would come first. */
@@ -223,7 +225,7 @@ export class CsvReader {
       systems,
       choices,
       data: data === true,
-      preferred: typeof named === 'string' ? named : null,
+      preferred: typeof named === 'string' ? named : (this.options.preferred ?? null),
     });
     if (answer.kind === 'refused') return this.refuse(answer.line, '', answer.message);
     const { plan } = answer;

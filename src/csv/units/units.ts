@@ -58,6 +58,16 @@ export const RIGHT_UNITS: Record<Kind, string> = {
   plain: 'N, N·m, J',
 };
 
+/** What a number without a unit is. */
+export const SI_UNITS: Record<Kind, string> = {
+  time: 's',
+  length: 'm',
+  angle: 'rad',
+  'length rate': 'm/s',
+  'angle rate': 'rad/s',
+  plain: '',
+};
+
 /** Factor to SI and radians, or undefined for a unit that is unknown or measures something else. */
 export function factorOf(unit: string, kind: Kind): number | undefined {
   const plain = spelledPlainly(unit);

@@ -1,6 +1,5 @@
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { CoordinateMeta } from '../../core/model/system.ts';
-import type { Motion } from '../../app/runs/motion.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatValue } from '../../ui/kit/format.ts';
@@ -13,8 +12,9 @@ const words = equations.coordinates;
 
 export function CoordinatesSection() {
   const { view, typeset } = useBook();
-  const { motion } = useUi().app.state;
+  const trajectory = useUi().app.state.motion.value?.trajectory;
   const time = useSlowTime();
+  const of = (column: string) => (trajectory ? sample(trajectory, column, time) : null);
   return (
     <>
       {/* scrolls by keys where it is wider than the tool */}
@@ -34,7 +34,7 @@ export function CoordinatesSection() {
           </thead>
           <tbody>
             {view.meta.coordinates.map((c) => (
-              <Row key={c.name} coordinate={c} motion={motion.value} time={time} />
+              <Row key={c.name} coordinate={c} value={of(c.name)} rate={of(`${c.name}_dot`)} />
             ))}
           </tbody>
         </table>
@@ -49,15 +49,13 @@ export function CoordinatesSection() {
 
 function Row({
   coordinate: { name, label, kind, role },
-  motion,
-  time,
+  value,
+  rate,
 }: {
   coordinate: CoordinateMeta;
-  motion: Motion | null;
-  time: number;
+  value: number | null;
+  rate: number | null;
 }) {
-  const of = (column: string) => (motion ? sample(motion.trajectory, column, time) : null);
-  const [value, rate] = [of(name), of(`${name}_dot`)];
   const unit = kind === 'angle' ? '°' : 'm';
   const shown = (x: number | null) => (x === null ? '–' : formatValue(x, kind));
   return (

@@ -20,9 +20,9 @@ export function NumbersSection() {
   if (view.meta.order === 1) return <Rate present={present} />;
   return (
     <>
-      <MassTable present={present} motion={motion} />
+      <MassTable present={present} hold={motion.scenario?.hold ?? []} />
       <VectorTable present={present} />
-      <OmegaTable present={present} motion={motion} />
+      <OmegaTable present={present} constraints={motion.constraints} />
       <p class="hint">{words.unitNote}</p>
     </>
   );
@@ -52,9 +52,8 @@ function Entry({ value }: { value: number }) {
 
 const shown = (x: number): string => (Math.abs(x) < 1e-4 ? formatScientific(x, 1) : formatShort(x, DIGITS));
 
-function MassTable({ present: { n, mass, condition }, motion }: { present: Present; motion: Motion }) {
+function MassTable({ present: { n, mass, condition }, hold }: { present: Present; hold: readonly string[] }) {
   const { coordinates } = useBook().view.meta;
-  const hold = motion.scenario?.hold ?? [];
   return (
     <>
       <TableScroll label={words.mass} class="matrix">
@@ -143,10 +142,10 @@ function VectorTable({ present }: { present: Present }) {
 
 function OmegaTable({
   present: { n, m, omega, lambda, slip, computed },
-  motion,
+  constraints,
 }: {
   present: Present;
-  motion: Motion;
+  constraints: Motion['constraints'];
 }) {
   const {
     typeset,
@@ -179,7 +178,7 @@ function OmegaTable({
           <tbody>
             {Array.from({ length: m }, (_, r) => (
               <tr key={r}>
-                <th scope="row">{titleOfRow(typeset, motion.constraints, r)}</th>
+                <th scope="row">{titleOfRow(typeset, constraints, r)}</th>
                 {coordinates.map(({ name }, i) => (
                   <Entry key={name} value={omega[r * n + i]!} />
                 ))}

@@ -1,7 +1,7 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
 import type { Motion } from '../../app/runs/motion.ts';
 import type { ColourRole } from '../../core/model/system.ts';
-import { columnOf, columnsOf, shownFactor, shownUnit, sumsOf } from '../../core/motion/columns.ts';
+import { columnOf, columnsOf, shownFactor, shownUnit, sumsOf, type Column } from '../../core/motion/columns.ts';
 import { DATA } from '../../core/motion/dataView.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
 import { useUi } from '../../ui/context.ts';
@@ -30,7 +30,12 @@ export function NowPanel() {
   const time = useSlowTime();
   const motion = state.motion.value;
   if (!motion || motion.trajectory.length === 0) return <p class="hint pad">{words.empty}</p>;
-  if (motion.system.meta.id === DATA) return <DataNow motion={motion} time={time} />;
+  if (motion.system.meta.id === DATA) return dataNow(motion, time);
+  // Rows are given numbers: Preact keeps what was drawn before, and with it what that was given.
+  const at = (column: string): number | null => {
+    const value = valuesOf(motion, column).at(time);
+    return Number.isFinite(value) ? value : null;
+  };
   const multipliers = motion.trajectory.columns.filter((name) => name.startsWith('lambda_'));
   return (
     <div class="now">
@@ -54,17 +59,22 @@ export function NowPanel() {
         </thead>
         <tbody>
           {rowsOf(motion).map((name) => (
-            <Row key={name} motion={motion} name={name} time={time} />
+            <Row key={name} column={columnOf(motion.system.meta, name)} value={at(name)} rate={at(`${name}_dot`)} />
           ))}
         </tbody>
       </table>
-      {multipliers.length > 0 && <Multipliers motion={motion} names={multipliers} time={time} />}
+      {multipliers.length > 0 && (
+        <Multipliers
+          contacts={motion.system.contacts}
+          values={multipliers.map((name) => [name, sample(motion.trajectory, name, time)])}
+        />
+      )}
     </div>
   );
 }
 
 /** Data: every column and its unit. */
-function DataNow({ motion: { system, trajectory }, time }: { motion: Motion; time: number }) {
+function dataNow({ system, trajectory }: Motion, time: number) {
   const columns = columnsOf(system, trajectory.columns).filter(({ name }) => name !== 't');
   return (
     <div class="now">
@@ -99,13 +109,7 @@ function rowsOf({ system: { meta }, trajectory }: Motion): string[] {
   return [...meta.coordinates.map(({ name }) => name), ...sums];
 }
 
-function Row({ motion, name, time }: { motion: Motion; name: string; time: number }) {
-  const c = columnOf(motion.system.meta, name);
-  const at = (column: string): number | null => {
-    const value = valuesOf(motion, column).at(time);
-    return Number.isFinite(value) ? value : null;
-  };
-  const [value, rate] = [at(name), at(`${name}_dot`)];
+function Row({ column: c, value, rate }: { column: Column; value: number | null; rate: number | null }) {
   const kind = c.degrees ? 'angle' : 'length';
   return (
     <tr>
@@ -114,7 +118,7 @@ function Row({ motion, name, time }: { motion: Motion; name: string; time: numbe
         <MathSymbol of={c.symbol} />
         <span class="hidden">{c.label}</span>
       </th>
-      <td class="number" data-testid={`now-${name}`}>
+      <td class="number" data-testid={`now-${c.name}`}>
         {value === null ? '–' : formatValue(value, kind)}
       </td>
       <td class="unit">{shownUnit(c, true)}</td>
@@ -124,9 +128,15 @@ function Row({ motion, name, time }: { motion: Motion; name: string; time: numbe
   );
 }
 
-function Multipliers({ motion, names, time }: { motion: Motion; names: readonly string[]; time: number }) {
+function Multipliers({
+  contacts,
+  values,
+}: {
+  contacts: Motion['system']['contacts'];
+  values: readonly (readonly [string, number | null])[];
+}) {
   const forces = new Map<number, { role: ColourRole; label: string }>();
-  for (const { role, label, lateral, vertical } of motion.system.contacts) {
+  for (const { role, label, lateral, vertical } of contacts) {
     forces.set(lateral, { role, label: `${label}, ${words.lateral}` });
     forces.set(vertical, { role, label: `${label}, ${words.vertical}` });
   }
@@ -134,9 +144,8 @@ function Multipliers({ motion, names, time }: { motion: Motion; names: readonly 
     <table data-testid="now-multipliers">
       <caption>{words.multipliers}</caption>
       <tbody>
-        {names.map((name, i) => {
+        {values.map(([name, value], i) => {
           const force = forces.get(i);
-          const value = sample(motion.trajectory, name, time);
           return (
             <tr key={name}>
               <th scope="row">

@@ -11,7 +11,6 @@ import { startWorker } from './compute/client/startWorker.ts';
 import { formulations } from './core/mechanics/formulations/formulations.ts';
 import { methods } from './core/integrators/methods.ts';
 import * as registry from './features/registry.ts';
-import './ui/kit/disposeReplaced.ts';
 import { inOrder } from './ui/feature.ts';
 import { Shell } from './ui/shell/shell.tsx';
 import { connectScene } from './stage/sceneBridge.ts';

@@ -175,7 +175,7 @@ export function paint(surface: Surface, frame: Frame, picture: Picture, theme: T
   if (frame.span !== undefined) {
     surface.fillStyle = theme.ink;
     const said = texts.range(tickText(Number(frame.span.toPrecision(2))), picture.y.unit ?? '');
-    drawText(surface, words(said), frame.left + frame.width - 6, frame.top + 9, 'right');
+    drawText(surface, words(said), frame.left + 6, frame.top + 9);
   }
 }
 

@@ -4,7 +4,7 @@ import { curveMark, type Curve } from './curves.ts';
 import { frameOf, paint, type Picture, type Zoom } from './frame.ts';
 import { PRINT } from './surface.ts';
 import { SvgSurface } from './svgSurface.ts';
-import { drawText } from './typeset.ts';
+import { drawText, widthOf } from './typeset.ts';
 
 export interface SheetChart {
   title: string;
@@ -68,7 +68,13 @@ function one({ title, picture, zoom, legend = [] }: SheetChart, id: string): str
   surface.strokeStyle = '#9aa0a6';
   surface.lineWidth = 1;
   surface.strokeRect(frame.left, frame.top, frame.width, frame.height);
-  if (legend.length > 1)
+  if (legend.length > 1) {
+    // Read over the curves that run behind it.
+    const wide = 38 + Math.max(...legend.map(({ label }) => widthOf(surface, label)));
+    surface.globalAlpha = 0.85;
+    surface.fillStyle = PRINT.surface;
+    surface.fillRect(frame.left + frame.width - wide, frame.top + 1, wide - 1, LEGEND * legend.length + 5);
+    surface.globalAlpha = 1;
     legend.forEach(({ label, color, dash }, i) => {
       const y = frame.top + 10 + LEGEND * i;
       const right = frame.left + frame.width - 6;
@@ -83,6 +89,7 @@ function one({ title, picture, zoom, legend = [] }: SheetChart, id: string): str
       surface.fillStyle = PRINT.text;
       drawText(surface, label, right - 26, y, 'right');
     });
+  }
   surface.restore();
   return surface.toString();
 }

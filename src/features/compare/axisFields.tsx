@@ -2,7 +2,7 @@ import type { Signal } from '@preact/signals';
 import type { SweepPath } from '../../core/scenario/sweepAxes.ts';
 import { words } from './words.ts';
 import { Check } from '../../ui/kit/controls.tsx';
-import { allMethods, nameOf, offeredAxis, type AxisForm } from './sweepChoices.ts';
+import { allMethods, offeredAxis, type AxisForm } from './sweepChoices.ts';
 
 const own = words.sweep;
 
@@ -60,7 +60,9 @@ export function AxisFields({
               members.length > 0 && (
                 <optgroup key={group} label={own.groups[group]}>
                   {members.map((p) => (
-                    <option key={p.path} value={p.path}>{`${nameOf(p.path)}: ${p.label}`}</option>
+                    <option key={p.path} value={p.path}>
+                      {p.label}
+                    </option>
                   ))}
                 </optgroup>
               )

@@ -1,5 +1,5 @@
 import { useSignal, type Signal } from '@preact/signals';
-import { groundCoordinates } from '../../core/motion/columns.ts';
+import { columnOf, groundCoordinates } from '../../core/motion/columns.ts';
 import type { FactKind, SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { words } from './words.ts';
@@ -83,7 +83,7 @@ export function MeasureFields({
           >
             {columns.map((c) => (
               <option key={c} value={c}>
-                {c}
+                {columnOf(meta, c).label}
               </option>
             ))}
           </select>

@@ -2,12 +2,12 @@ import { maxAbs } from '../linalg/dense.ts';
 import type { ConstrainedSystem } from './constrainedSystem.ts';
 
 /** Heights below this are rounding in metres for a board of a metre; also the goal of the Newton iteration. */
-const HEIGHT_GOAL = 1e-15;
+export const HEIGHT_GOAL = 1e-15;
 /** The same for the velocities of points, m/s. */
-const VELOCITY_GOAL = 1e-15;
-const MOST_ITERATIONS = 8;
+export const VELOCITY_GOAL = 1e-15;
+export const MOST_ITERATIONS = 8;
 /** What rounding may leave of either where the factors are right, in the same units. */
-const ROUNDING = 1e-13;
+export const ROUNDING = 1e-13;
 
 /**
  * Puts a state back on the constraint manifold by the smallest change in the mass metric

@@ -21,20 +21,20 @@ import { errorNorm, pairedErrorNorm } from '../shared/stepControl.ts';
 export class EmbeddedRungeKutta extends AdaptiveOneStep {
   readonly projects = true;
 
-  private readonly tableau: EmbeddedTableau;
+  protected readonly tableau: EmbeddedTableau;
   /** The estimate needs the slope at the end. */
-  private readonly estimateAtEnd: boolean;
+  protected readonly estimateAtEnd: boolean;
   /** Slopes of the step being tried, and of the last accepted one: they change places when a step is accepted. */
   private trial: Slopes;
-  private kept: Slopes;
+  protected kept: Slopes;
   /** Of `lowOrderError`; and scratch of the dense output's stages. */
   private readonly scratch: Float64Array;
   /** Ends of the last accepted step; `y` itself may be moved afterwards. */
-  private readonly y0: Float64Array;
-  private y1: Float64Array;
+  protected readonly y0: Float64Array;
+  protected y1: Float64Array;
   private readonly coefficients: Float64Array[];
   /** Coefficients of the dense output that are made for the last step: most steps are never looked into. */
-  private terms = 0;
+  protected terms = 0;
 
   constructor(problem: OdeProblem, options: StepperOptions, tableau: EmbeddedTableau) {
     super(problem, options, tableau.order, tableau.order);

@@ -105,8 +105,10 @@ export function pairedErrorNorm(
   let lower = 0;
   for (let i = 0; i < error.length; i++) {
     const scale = atol + rtol * Math.max(Math.abs(y0[i]!), Math.abs(y1[i]!));
-    high += (error[i]! / scale) ** 2;
-    lower += (low[i]! / scale) ** 2;
+    const e = error[i]! / scale;
+    const l = low[i]! / scale;
+    high += e * e;
+    lower += l * l;
   }
   if (high === 0 && lower === 0) return 0;
   const norm = (h * high) / Math.sqrt((high + 0.01 * lower) * error.length);

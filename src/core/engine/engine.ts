@@ -1,0 +1,110 @@
+/**
+ * The engines that runs are made by: TypeScript, and WebAssembly where the host compiles it and the derivation has left a
+ * tape. Both give the same bits, so that which one makes a run matters for its time alone.
+ */
+import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
+import type { Tape } from './tape.ts';
+import { layoutOf, writeProgram, type Contact, type Layout } from './program.ts';
+
+export const engines = ['wasm', 'typescript'] as const;
+export type EngineId = (typeof engines)[number];
+
+/** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
+const host = (
+  globalThis as {
+    WebAssembly?: {
+      Module: new (bytes: Uint8Array<ArrayBuffer>) => object;
+      Instance: new (module: object, imports: object) => { exports: unknown };
+    };
+  }
+).WebAssembly;
+
+interface Exports {
+  memory: { buffer: ArrayBuffer };
+  accelerations(y: number, rate: number): number;
+  attempt(step: number, t: number, h: number, rtol: number, atol: number, projecting: number): number;
+  makeDense(step: number, t: number, h: number): number;
+  interpolate(step: number, s: number): void;
+}
+
+/** What works with a machine's memory; it is told when another takes its place. */
+export interface Tenant {
+  /** Keeps what it needs: the memory is another's from now on. */
+  release(): void;
+  /** Generalized forces at time t (s) and the state at an address, into the memory's `force`. */
+  force(t: number, address: number): void;
+}
+
+/** One compiled program. Its memory serves one tenant at a time. */
+export class Machine {
+  readonly run: Omit<Exports, 'memory'>;
+  readonly memory: Float64Array;
+  readonly layout: Layout;
+  private tenant: Tenant | null = null;
+
+  constructor(module: object, layout: Layout) {
+    const force = (t: number, address: number): void => this.tenant!.force(t, address);
+    const exports = new host!.Instance(module, { host: { force } }).exports as Exports;
+    this.run = exports;
+    this.memory = new Float64Array(exports.memory.buffer);
+    this.layout = layout;
+  }
+
+  /** @returns whether the tenant is a new one, who has to bring what it needs */
+  takenBy(tenant: Tenant): boolean {
+    if (this.tenant === tenant) return false;
+    this.tenant?.release();
+    this.tenant = tenant;
+    return true;
+  }
+
+  has(tenant: Tenant): boolean {
+    return this.tenant === tenant;
+  }
+}
+
+/** By constraint set of a tape, by tableau, without and with forces from outside. */
+const machines = new WeakMap<object, Map<EmbeddedTableau, (Machine | null)[]>>();
+
+/**
+ * The machine for a pair on one constraint set; compiled once.
+ * @param n coordinates
+ * @returns null where WebAssembly is refused
+ */
+export function machineFor(
+  tape: Tape,
+  setId: string,
+  tableau: EmbeddedTableau,
+  contact: Contact | null,
+  n: number,
+  forced: boolean,
+): Machine | null {
+  const set = tape.sets[setId]!;
+  let ofSet = machines.get(set);
+  if (!ofSet) machines.set(set, (ofSet = new Map()));
+  let both = ofSet.get(tableau);
+  if (!both) ofSet.set(tableau, (both = []));
+  const known = both[Number(forced)];
+  if (known !== undefined) return known;
+  return (both[Number(forced)] = compiled({ tape, set, tableau, contact, n, forced }));
+}
+
+/** A page's policy may refuse WebAssembly, and so may a host that has none: TypeScript does the work then. */
+function compiled(kind: Parameters<typeof writeProgram>[0]): Machine | null {
+  if (!compiles()) return null;
+  return new Machine(new host!.Module(writeProgram(kind)), layoutOf(kind));
+}
+
+let may: boolean | undefined;
+function compiles(): boolean {
+  if (may !== undefined) return may;
+  try {
+    may = host !== undefined && new host.Module(PROBE) !== null;
+  } catch {
+    may = false;
+  }
+  return may;
+}
+
+/** The smallest module there is: whether any may be compiled. */
+const PROBE = Uint8Array.of(0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00);

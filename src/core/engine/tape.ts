@@ -1,0 +1,164 @@
+/**
+ * The derivation's tape of a system (`accelerations.generated.json`, written by derivation/direct.py) and its functions as
+ * WebAssembly: the same operations in the same order as in `accelerations.generated.ts`, and so the same bits.
+ */
+import { f64, get, i32, select, set, type Code, type Func } from './assembler.ts';
+
+/** One operation; operands are positions of earlier ones. */
+export type Op = readonly [kind: string, first: number | string, second?: number];
+
+export interface Tape {
+  readonly ops: readonly Op[];
+  /** Values that depend on the parameters alone, in the order of the constants. */
+  readonly prepare: readonly number[];
+  /** By constraint set, the values of each array that its functions write. */
+  readonly sets: Readonly<Record<string, TapeSet>>;
+}
+
+export interface TapeSet {
+  readonly rate: readonly number[];
+  readonly lambda: readonly number[];
+  readonly factors: readonly number[];
+  /** Pairs of which the first must be larger for the accelerations to exist. */
+  readonly larger: readonly number[];
+  readonly smaller: readonly number[];
+  readonly shift: readonly number[];
+  readonly slip: readonly number[];
+  readonly heights: readonly number[];
+}
+
+/** Range reduction and polynomials of derivation/trigonometry.py. */
+const ROUNDER = 1.5 * 2 ** 52;
+const TWO_OVER_PI = 0.6366197723675814;
+const HALF_PI = [1.57079632673412561417, 6.0771005063039659766e-11, 2.02226624879595063154e-21] as const;
+const SINE = [
+  -1.66666666666666324348e-1, 8.33333333332248946124e-3, -1.98412698298579493134e-4, 2.75573137070700676789e-6,
+  -2.50507602534068634195e-8, 1.58969099521155010221e-10,
+];
+const COSINE = [
+  4.16666666666666019037e-2, -1.38888888888741095749e-3, 2.48015872894767294178e-5, -2.75573143513906633035e-7,
+  2.0875723212981748279e-9, -1.13596475577881948265e-11,
+];
+
+const binary: Readonly<Record<string, (a: Code, b: Code) => Code>> = {
+  add: f64.add,
+  sub: f64.sub,
+  mul: f64.mul,
+  div: f64.div,
+};
+
+/** Where a function finds what its values are made of: an entry of an array, or a value that is at hand. */
+export interface Places {
+  input(array: string, position: number): Code;
+  known: ReadonlyMap<number, Code>;
+}
+
+/**
+ * Code that computes some values of a tape in a function, in the tape's order; each that is used more than once is kept in a local.
+ * @param wanted positions of the values
+ * @returns the code, and by position the code that reads a value afterwards
+ */
+export function compute(
+  func: Func,
+  { ops }: Pick<Tape, 'ops'>,
+  wanted: readonly number[],
+  places: Places,
+): { code: Code; value(position: number): Code } {
+  const order = reached(ops, wanted, places.known);
+  const uses = new Map<number, number>();
+  const use = (i: number): unknown => uses.set(i, (uses.get(i) ?? 0) + 1);
+  for (const i of order) argumentsOf(ops[i]!).forEach(use);
+  wanted.forEach(use);
+  const ready = new Map<number, Code>();
+  const angles = new Map<number, Angle>();
+  const code: Code[] = [];
+  const keep = (i: number, made: Code): void => {
+    const local = func.local();
+    code.push(set(local, made));
+    ready.set(i, get(local));
+  };
+  const value = (i: number): Code => ready.get(i)!;
+  for (const [i, made] of places.known) {
+    if (uses.get(i) === 1) ready.set(i, made);
+    else if (uses.has(i)) keep(i, made);
+  }
+  for (const i of order) {
+    const [kind, first, second] = ops[i]!;
+    if (kind === 'const') {
+      ready.set(i, f64.const(first as number));
+      continue;
+    }
+    let made: Code;
+    if (kind === 'input') made = places.input(first as string, second!);
+    else if (kind === 'sin' || kind === 'cos') {
+      let angle = angles.get(first as number);
+      if (!angle) angles.set(first as number, (angle = sineAndCosine(func, value(first as number), code)));
+      made = angle[kind];
+    } else if (kind === 'neg') made = f64.neg(value(first as number));
+    else if (kind === 'sqrt') made = f64.sqrt(value(first as number));
+    else if (binary[kind]) made = binary[kind](value(first as number), value(second!));
+    else throw new Error(`a tape for WebAssembly cannot hold the operation "${kind}"`);
+    if (uses.get(i)! > 1 || kind === 'sin' || kind === 'cos') keep(i, made);
+    else ready.set(i, made);
+  }
+  return { code, value };
+}
+
+interface Angle {
+  sin: Code;
+  cos: Code;
+}
+
+/** The statements of `block` and the choice of `chosen` in derivation/trigonometry.py. */
+function sineAndCosine(func: Func, angle: Code, code: Code[]): Angle {
+  const keep = (made: Code): Code => {
+    const local = func.local();
+    code.push(set(local, made));
+    return get(local);
+  };
+  const { add, sub, mul } = f64;
+  const along = (coefficients: readonly number[], z: Code): Code =>
+    coefficients
+      .slice(0, -1)
+      .reduceRight<Code>((sum, c) => add(f64.const(c), mul(z, sum)), f64.const(coefficients.at(-1)!));
+  const one = f64.const(1);
+  const g = keep(angle);
+  const k = keep(sub(add(mul(g, f64.const(TWO_OVER_PI)), f64.const(ROUNDER)), f64.const(ROUNDER)));
+  const h = keep(sub(g, mul(k, f64.const(HALF_PI[0]))));
+  const w = keep(mul(k, f64.const(HALF_PI[1])));
+  const r = keep(sub(h, w));
+  const t = keep(sub(sub(sub(h, r), w), mul(k, f64.const(HALF_PI[2]))));
+  const z = keep(mul(r, r));
+  const u = keep(mul(f64.const(0.5), z));
+  const o = keep(sub(one, u));
+  const q = keep(mul(z, mul(z, along(COSINE, z))));
+  const s = keep(add(r, add(mul(mul(z, r), along(SINE, z)), mul(t, add(o, q)))));
+  const c = keep(add(o, add(sub(sub(one, o), u), sub(q, mul(s, t)))));
+  // The quadrant, k mod 4: exact for every k, as `k & 3` is.
+  const n = keep(sub(k, mul(f64.const(4), f64.floor(mul(k, f64.const(0.25))))));
+  const is = (quadrant: number): Code => f64.eq(n, f64.const(quadrant));
+  const swapped = i32.or(is(1), is(3));
+  const sine = keep(select(c, s, swapped));
+  const cosine = keep(select(s, c, swapped));
+  return {
+    sin: select(sine, f64.neg(sine), f64.lt(n, f64.const(2))),
+    cos: select(f64.neg(cosine), cosine, i32.or(is(1), is(2))),
+  };
+}
+
+/** Positions of what values are made of, in order, not looking behind those that are known. */
+export function reached(ops: readonly Op[], wanted: readonly number[], known: ReadonlyMap<number, unknown>): number[] {
+  const seen = new Set<number>();
+  const waiting = [...wanted];
+  for (let i = waiting.pop(); i !== undefined; i = waiting.pop()) {
+    if (seen.has(i) || known.has(i)) continue;
+    seen.add(i);
+    waiting.push(...argumentsOf(ops[i]!));
+  }
+  return [...seen].sort((a, b) => a - b);
+}
+
+function argumentsOf([kind, first, second]: Op): readonly number[] {
+  if (kind === 'input' || kind === 'const') return [];
+  return second === undefined ? [first as number] : [first as number, second];
+}

@@ -30,7 +30,8 @@ const CORE: Table = {
   mechanics: ['linalg', 'model', 'integrators'],
   cases: ['linalg', 'model', 'integrators', 'scenario'],
   systems: ['model', 'geometry', 'cases'],
-  simulation: ['linalg', 'model', 'integrators', 'mechanics', 'scenario'],
+  engine: ['model', 'integrators', 'mechanics'],
+  simulation: ['linalg', 'model', 'integrators', 'mechanics', 'engine', 'scenario'],
   motion: ['linalg', 'model', 'cases', 'simulation'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
 };

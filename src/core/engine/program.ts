@@ -7,6 +7,7 @@
  */
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import { HERMITE_TERMS } from '../integrators/shared/interpolation.ts';
+import type { Tape, TapeSet } from '../model/tape.ts';
 import { HEIGHT_GOAL, MOST_ITERATIONS, ROUNDING, VELOCITY_GOAL } from '../mechanics/projection.ts';
 import {
   branchIf,
@@ -24,7 +25,7 @@ import {
   type Code,
   type Func,
 } from './assembler.ts';
-import { compute, type Places, type Tape, type TapeSet } from './tape.ts';
+import { compute, type Places } from './tape.ts';
 
 const BYTES = 8;
 

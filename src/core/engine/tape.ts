@@ -2,30 +2,8 @@
  * The derivation's tape of a system (`accelerations.generated.json`, written by derivation/direct.py) and its functions as
  * WebAssembly: the same operations in the same order as in `accelerations.generated.ts`, and so the same bits.
  */
+import type { Op, Tape } from '../model/tape.ts';
 import { f64, get, i32, select, set, type Code, type Func } from './assembler.ts';
-
-/** One operation; operands are positions of earlier ones. */
-export type Op = readonly [kind: string, first: number | string, second?: number];
-
-export interface Tape {
-  readonly ops: readonly Op[];
-  /** Values that depend on the parameters alone, in the order of the constants. */
-  readonly prepare: readonly number[];
-  /** By constraint set, the values of each array that its functions write. */
-  readonly sets: Readonly<Record<string, TapeSet>>;
-}
-
-export interface TapeSet {
-  readonly rate: readonly number[];
-  readonly lambda: readonly number[];
-  readonly factors: readonly number[];
-  /** Pairs of which the first must be larger for the accelerations to exist. */
-  readonly larger: readonly number[];
-  readonly smaller: readonly number[];
-  readonly shift: readonly number[];
-  readonly slip: readonly number[];
-  readonly heights: readonly number[];
-}
 
 /** Range reduction and polynomials of derivation/trigonometry.py. */
 const ROUNDER = 1.5 * 2 ** 52;

@@ -1,7 +1,7 @@
 import type { OdeProblem, StepperOptions } from '../integrators/contract.ts';
 import { EmbeddedRungeKutta } from '../integrators/runge-kutta/embeddedRungeKutta.ts';
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
-import type { Machine, Tenant } from './engine.ts';
+import type { Machine, Tenant } from './machine.ts';
 
 const BYTES = 8;
 
@@ -10,8 +10,8 @@ export interface Work {
   readonly machine: Machine;
   /** What the derivation's `prepare` makes of the parameters. */
   readonly constants: Float64Array;
-  /** Forces from outside at t (s) and y (2 n) into `out` (n), where there are any. */
-  readonly force: ((t: number, y: Float64Array, out: Float64Array) => void) | null;
+  /** Forces from outside at t (s), q and v into `out` (n each), where there are any. */
+  readonly forces: ((t: number, q: Float64Array, v: Float64Array, out: Float64Array) => void) | null;
 }
 
 /**
@@ -24,7 +24,10 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
   private readonly work: Work;
   private readonly machine: Machine;
   private readonly memory: Float64Array;
-  private readonly state: Float64Array;
+  /** What forces from outside are asked at, and what they answer. */
+  private readonly q: Float64Array;
+  private readonly v: Float64Array;
+  private readonly outside: Float64Array;
   /** Places of the step being tried and of the last accepted one, numbers from the memory's start. */
   private trialAt: number;
   private keptAt: number;
@@ -38,7 +41,10 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
     this.work = work;
     this.machine = work.machine;
     this.memory = work.machine.memory;
-    this.state = new Float64Array(problem.dimension);
+    const n = problem.dimension / 2;
+    this.q = new Float64Array(n);
+    this.v = new Float64Array(n);
+    this.outside = new Float64Array(n);
     [this.trialAt, this.keptAt] = work.machine.layout.steps;
   }
 
@@ -114,13 +120,15 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
   }
 
   force(t: number, address: number): void {
-    const { memory, state } = this;
+    const { memory, q, v, outside } = this;
+    const n = q.length;
     const from = address / BYTES;
-    for (let i = 0; i < state.length; i++) state[i] = memory[from + i]!;
-    const at = this.machine.layout.force;
-    this.work.force!(t, state, this.forces);
-    memory.set(this.forces, at);
+    for (let i = 0; i < n; i++) {
+      q[i] = memory[from + i]!;
+      v[i] = memory[from + n + i]!;
+    }
+    this.work.forces!(t, q, v, outside);
+    const to = this.machine.layout.force;
+    for (let i = 0; i < n; i++) memory[to + i] = outside[i]!;
   }
-
-  private readonly forces = new Float64Array(this.y.length / 2);
 }

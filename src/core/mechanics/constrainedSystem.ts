@@ -60,7 +60,8 @@ export class ConstrainedSystem {
   private readonly preparedV: Float64Array;
   private preparedT = NaN;
   private prepared: 'no' | 'direct' | 'factored' | 'failed' = 'no';
-  private readonly direct: DirectAccelerations | null;
+  /** The short way, where there is one. */
+  readonly direct: DirectAccelerations | null;
 
   /**
    * @param parameters values in the order of the meta

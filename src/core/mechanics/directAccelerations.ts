@@ -10,11 +10,13 @@ export class DirectAccelerations {
   readonly rate: Float64Array;
   readonly lambda: Float64Array;
 
-  private readonly direct: DirectDynamics;
+  readonly direct: DirectDynamics;
   private readonly parameters: Float64Array;
   private readonly forcing: Forcing | null;
-  private readonly forced: boolean;
-  private readonly constants: Float64Array;
+  /** Forces act from outside. */
+  readonly forced: boolean;
+  /** What `prepare` makes of the parameters. */
+  readonly constants: Float64Array;
   private readonly force: Float64Array;
   private readonly factors: Float64Array;
   /** [q, v], with both halves as arrays of their own for those who act from outside. */
@@ -76,13 +78,16 @@ export class DirectAccelerations {
     return done;
   }
 
+  /** Generalized forces from outside at a state into `force` (n). */
+  forces(t: number, q: Float64Array, v: Float64Array, force: Float64Array): void {
+    force.fill(0);
+    this.direct.optional?.add(q, v, this.parameters, force);
+    this.forcing?.(t, q, v, force);
+  }
+
   private evaluate(t: number, y: Float64Array, rate: Float64Array): boolean {
     const { direct, force, q, v } = this;
-    if (this.forced) {
-      force.fill(0);
-      direct.optional?.add(q, v, this.parameters, force);
-      this.forcing?.(t, q, v, force);
-    }
+    if (this.forced) this.forces(t, q, v, force);
     if (!direct.accelerations(y, this.constants, force, rate, this.lambda, this.factors)) return false;
     // One acceleration that is no number makes this none.
     let sum = 0;

@@ -6,6 +6,7 @@ import {
   type System,
   type SystemView,
 } from './system.ts';
+import type { Tape } from './tape.ts';
 
 /** What the derivation writes for one system, by the names that it gives; `<set>Constraints` and the like are looked up. */
 export interface GeneratedEquations extends Pick<System, 'mechanics' | 'jacobians' | 'energy' | 'poseJacobian'> {
@@ -33,9 +34,10 @@ type ForceJacobians = (
  *
  * @param view names, poses and tracked points
  * @param equations the module `equations.generated.ts` of the same system
+ * @param tape the same accelerations as data, `accelerations.generated.json`, where there is one
  * @throws Error that names the function which the meta promises and the module lacks
  */
-export function defineSystem(view: SystemView, equations: GeneratedEquations): System {
+export function defineSystem(view: SystemView, equations: GeneratedEquations, tape?: Tape): System {
   const { meta } = view;
   const losses = optionalForces(view, equations as unknown as Named);
   const sets = meta.constraintSets.filter((set) => set.rows !== undefined);
@@ -58,7 +60,7 @@ export function defineSystem(view: SystemView, equations: GeneratedEquations): S
     constraintSets: Object.fromEntries(
       sets.map((set) => {
         const heightsOf = sets.find(({ contact }) => contact === set.contact)!.id;
-        return [set.id, constraintSet(meta.id, set, heightsOf, equations as unknown as Named, losses)];
+        return [set.id, constraintSet(meta.id, set, heightsOf, equations as unknown as Named, losses, tape)];
       }),
     ),
     ...(equations.rate && equations.rateJacobian
@@ -81,6 +83,7 @@ function constraintSet(
   heightsOf: string,
   equations: Named,
   losses: OptionalForces | null,
+  tape: Tape | undefined,
 ): ConstraintSet {
   const dynamics = generated<NonNullable<ConstraintSet['dynamics']>>(system, equations, `${id}Dynamics`);
   return {
@@ -102,7 +105,7 @@ function constraintSet(
           heights: generated(system, equations, `${heightsOf}Heights`),
         }
       : null,
-    ...directDynamics(equations['direct'] as Named | undefined, id, losses),
+    ...directDynamics(equations['direct'] as Named | undefined, id, losses, tape),
   };
 }
 
@@ -111,6 +114,7 @@ function directDynamics(
   direct: Named | undefined,
   id: string,
   losses: OptionalForces | null,
+  tape: Tape | undefined,
 ): Pick<ConstraintSet, 'direct'> {
   if (!direct?.[`${id}Accelerations`]) return {};
   const written = {
@@ -120,6 +124,7 @@ function directDynamics(
     accelerations: direct[`${id}Accelerations`],
     shift: direct[`${id}Shift`],
     slip: direct[`${id}Slip`],
+    ...(tape ? { tape } : {}),
   } as DirectDynamics;
   return { direct: losses ? { ...written, optional: losses } : written };
 }

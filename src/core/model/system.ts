@@ -4,6 +4,7 @@
  * Every system is `M(q) a = h(q, v) + B u + Omega(q)^T lambda` with `Omega(q) v = 0`.
  * All matrices are row-major `Float64Array`s owned by the caller; SI units and radians.
  */
+import type { Tape } from './tape.ts';
 
 /** What a thing's colour says: nothing in particular, or that it belongs to the first or second of two like parts (front and rear). */
 export type ColourRole = 'neutral' | 'first' | 'second';
@@ -129,6 +130,8 @@ export interface ConstraintSet {
  * c: `constantCount` numbers that `prepare` makes of the parameters; y = [q, v] and rate = [v, a] have 2 n entries.
  */
 export interface DirectDynamics {
+  /** The same as data, for another engine. */
+  readonly tape?: Tape;
   readonly constantCount: number;
   /** What the accelerations leave for `shift`; the last is 1 / det of S = Omega M^-1 Omega^T scaled to a unit diagonal. */
   readonly factorCount: number;

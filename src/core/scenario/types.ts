@@ -39,7 +39,13 @@ export interface MethodOptions {
   maxStep?: number;
   stages?: number;
   projection: boolean;
+  /** What computes the steps, by the same operations to the last bit; absent: the fastest that the host has. */
+  engine?: EngineId;
 }
+
+/** Permanent ids: WebAssembly written from the derivation's tape, and the program's own TypeScript. */
+export const ENGINE_NAMES = ['wasm', 'typescript'] as const;
+export type EngineId = (typeof ENGINE_NAMES)[number];
 
 /** A scenario as written: every key but `version` and `system` may be left out. */
 export interface ScenarioFile {

@@ -2,16 +2,22 @@ import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
 import { formulations } from '../mechanics/formulations/formulations.ts';
 import { createFormulation } from '../mechanics/formulations/registry.ts';
+import { wasmStepper } from '../engine/choose.ts';
 import { StabilizedDae } from '../mechanics/stabilizedDae.ts';
 import { FirstOrder, FirstOrderResidual } from '../mechanics/firstOrder.ts';
 import type { OdeProblem, Stepper } from '../integrators/contract.ts';
 import { Ida } from '../integrators/multistep/ida.ts';
 import { methods, type MethodInfo } from '../integrators/methods.ts';
 import { createStepper } from '../integrators/registry.ts';
-import { ScenarioError, type MethodOptions } from '../scenario/types.ts';
+import { ScenarioError, type EngineId, type MethodOptions } from '../scenario/types.ts';
+
+/** The formulation that WebAssembly is written for. */
+const MULTIPLIERS: (typeof formulations)[number]['id'] = 'multipliers';
 
 /** What a run advances in time, and what its y means. */
 export interface Motion {
+  /** What computes the steps. */
+  engine: EngineId;
   map: StateMap;
   stepper: Stepper;
   /** The stepper's, for a projection of its steps' ends. `ida` has none: its residual is stabilized. */
@@ -32,7 +38,7 @@ export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Mo
     if (method.formulation !== undefined)
       throw new ScenarioError('method.formulation', 'is for every method but ida, which takes the residual as it is');
     const dae = new StabilizedDae(dynamics);
-    return { map: dae, stepper: new Ida(dae, method) };
+    return { engine: 'typescript', map: dae, stepper: new Ida(dae, method) };
   }
   const id = method.formulation ?? formulations[0].id;
   const formulation = createFormulation(id, dynamics);
@@ -41,13 +47,23 @@ export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Mo
       'method.formulation',
       `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`,
     );
-  return { map: formulation, stepper: createStepper(info.id, formulation, method)!, problem: formulation };
+  const wasm =
+    method.engine !== 'typescript' && id === MULTIPLIERS
+      ? wasmStepper(info.id, formulation, dynamics, method)
+      : null;
+  return {
+    engine: wasm ? 'wasm' : 'typescript',
+    map: formulation,
+    stepper: wasm ?? createStepper(info.id, formulation, method)!,
+    problem: formulation,
+  };
 }
 
 /** There is nothing to formulate, so any formulation is the same. */
 function firstOrderMotion({ id }: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem): Motion {
   const map = new FirstOrder(dynamics);
   return {
+    engine: 'typescript',
     map,
     stepper: id === 'ida' ? new Ida(new FirstOrderResidual(map), method) : createStepper(id, map, method)!,
   };

@@ -12,7 +12,7 @@ import type { StateMap } from '../mechanics/formulations/contract.ts';
 import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
-import type { Scenario } from '../scenario/types.ts';
+import type { EngineId, Scenario } from '../scenario/types.ts';
 import { dependentWords, singularMassWords, type System } from '../model/system.ts';
 import { methods } from '../integrators/methods.ts';
 import { DEFAULT_STEP } from '../integrators/shared/fixedStepper.ts';
@@ -92,6 +92,8 @@ export class Simulation {
   readonly notes: readonly string[];
   /** Why the run is not to be trusted as it is. */
   readonly warnings: readonly string[];
+  /** What computes the steps: the scenario's choice, or the fastest there is; TypeScript where WebAssembly does not serve. */
+  readonly engine: EngineId;
   readonly dynamics: ConstrainedSystem;
   readonly q: Float64Array;
   readonly v: Float64Array;
@@ -201,7 +203,8 @@ export class Simulation {
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
-    const { map, stepper, problem } = motionOf(scenario.method, this.dynamics);
+    const { engine, map, stepper, problem } = motionOf(scenario.method, this.dynamics);
+    this.engine = engine;
     this.formulation = this.charts?.map(map) ?? map;
     this.stepper = stepper;
     this.projecting = scenario.method.projection && this.dynamics.m > 0;

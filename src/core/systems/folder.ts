@@ -9,6 +9,8 @@ export interface SystemFolder {
   cases: readonly Case[];
   /** `equations.generated.ts` */
   equations(): Promise<GeneratedEquations>;
+  /** `accelerations.generated.json`, where the derivation has written one. */
+  tape?(): Promise<{ default: unknown }>;
   /** `typeset.generated.json` */
   typeset(): Promise<{ default: unknown }>;
   /** `drawing.ts`; without it the bodies are drawn as plain markers. */

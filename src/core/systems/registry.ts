@@ -6,6 +6,7 @@ import type { Case } from '../cases/case.ts';
 import { type Drawing, valueOf } from '../geometry/drawing.ts';
 import { defineSystem } from '../model/defineSystem.ts';
 import type { System, SystemMeta, SystemView } from '../model/system.ts';
+import type { Tape } from '../model/tape.ts';
 import type { Typeset } from '../model/typeset.ts';
 import { bicycle } from './bicycle/index.ts';
 import { cartPendulum } from './cart-pendulum/index.ts';
@@ -51,7 +52,12 @@ export const cases: readonly Case[] = registered.flatMap((folder) => folder.case
  */
 export function loadSystem(id: string): Promise<System> | undefined {
   const folder = folders.get(id);
-  return folder?.equations().then((equations) => defineSystem(folder.view, equations));
+  return folder && systemIn(folder);
+}
+
+async function systemIn({ view, equations, tape }: SystemFolder): Promise<System> {
+  const [written, data] = await Promise.all([equations(), tape?.()]);
+  return defineSystem(view, written, data?.default as Tape | undefined);
 }
 
 /**

@@ -3,11 +3,9 @@
  * tape. Both give the same bits, so that which one makes a run matters for its time alone.
  */
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
-import type { Tape } from './tape.ts';
+import type { Tape } from '../model/tape.ts';
 import { layoutOf, writeProgram, type Contact, type Layout } from './program.ts';
 
-export const engines = ['wasm', 'typescript'] as const;
-export type EngineId = (typeof engines)[number];
 
 /** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
 const host = (

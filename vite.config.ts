@@ -7,10 +7,10 @@ import { offline } from './scripts/offline.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
-/** `ripstik` for its equations, `ripstik-drawing`, `ripstik-typeset`. */
+/** `ripstik` for its equations, `ripstik-accelerations` for their tape, `ripstik-drawing`, `ripstik-typeset`. */
 function nameOf(module: string): string {
   const [, id, part] =
-    /systems\/([\w-]+)\/(equations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
+    /systems\/([\w-]+)\/(equations|accelerations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
   return id ? (part === 'equations' ? id : `${id}-${part}`) : '[name]';
 }
 
@@ -38,7 +38,7 @@ const developersStyles = {
 const chunks = chunkList();
 
 /** The registry names all that there is of a system; the page draws and typesets it, its workers compute it. */
-const forWorkers = leaveOut('the page', /\/equations\.generated\.ts$/);
+const forWorkers = leaveOut('the page', /\/(?:equations\.generated\.ts|accelerations\.generated\.json)$/);
 const forPage = leaveOut('a worker', /\/(?:typeset\.generated\.json|drawing\.ts)$/);
 
 export default defineConfig({

@@ -6,7 +6,6 @@ import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import type { Tape } from '../model/tape.ts';
 import { layoutOf, writeProgram, type Contact, type Layout } from './program.ts';
 
-
 /** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
 const host = (
   globalThis as {

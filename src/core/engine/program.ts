@@ -153,10 +153,7 @@ export function writeProgram(kind: Kind): Uint8Array<ArrayBuffer> {
     ];
     const scaleHere = set(
       scale,
-      f64.add(
-        get(atol),
-        f64.mul(get(rtol), f64.max(f64.abs(f64.load(get(p))), f64.abs(f64.load(get(p), y1)))),
-      ),
+      f64.add(get(atol), f64.mul(get(rtol), f64.max(f64.abs(f64.load(get(p))), f64.abs(f64.load(get(p), y1))))),
     );
     const norm: Code = lowOrderError
       ? [
@@ -176,9 +173,7 @@ export function writeProgram(kind: Kind): Uint8Array<ArrayBuffer> {
               r,
               f64.div(
                 f64.mul(get(h), get(squares)),
-                f64.sqrt(
-                  f64.mul(f64.add(get(squares), f64.mul(f64.const(0.01), get(lower))), f64.const(N)),
-                ),
+                f64.sqrt(f64.mul(f64.add(get(squares), f64.mul(f64.const(0.01), get(lower))), f64.const(N))),
               ),
             ),
           ),
@@ -330,7 +325,8 @@ function projectionOf(module: Module, kind: Kind, layout: Layout, accelerations:
   const measure = module.func([I32], []);
   {
     const { code, value } = compute(measure, tape, [...values.slip, ...values.heights], {
-      input: (array, position) => f64.load(get(0), (position + (array === 'q' ? 0 : array === 'v' ? n : fail(array))) * BYTES),
+      input: (array, position) =>
+        f64.load(get(0), (position + (array === 'q' ? 0 : array === 'v' ? n : fail(array))) * BYTES),
       known: constantsOf(tape, layout),
     });
     measure.body = [
@@ -363,7 +359,10 @@ function projectionOf(module: Module, kind: Kind, layout: Layout, accelerations:
     func.body = [
       set(last, f64.const(Infinity)),
       forever([
-        set(size, sizeOf.map((at) => f64.abs(load(at))).reduce((a, b) => f64.max(a, b), f64.const(0))),
+        set(
+          size,
+          sizeOf.map((at) => f64.abs(load(at))).reduce((a, b) => f64.max(a, b), f64.const(0)),
+        ),
         when(i32.eqz(f64.gt(get(size), f64.const(goal))), giveBack(i32.const(1))),
         when(i32.eqz(f64.lt(get(size), get(last))), giveBack(f64.le(get(size), f64.const(ROUNDING)))),
         set(last, get(size)),

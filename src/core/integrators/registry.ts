@@ -13,7 +13,9 @@ import { tsit5 } from './runge-kutta/tableaus/tsit5.ts';
 import type { OdeMethodId } from './methods.ts';
 
 /** The embedded explicit pairs by id: methods that are told apart by their tableaus alone. */
-export const embeddedPairs = { dopri5, dop853, tsit5, bs23 } as const satisfies Partial<Record<OdeMethodId, EmbeddedTableau>>;
+export const embeddedPairs = { dopri5, dop853, tsit5, bs23 } as const satisfies Partial<
+  Record<OdeMethodId, EmbeddedTableau>
+>;
 
 const embedded =
   (tableau: EmbeddedTableau): Create =>

@@ -213,7 +213,17 @@ function checkParameters(c: Checker, raw: unknown, meta: SystemMeta, set: string
 
 function checkMethod(c: Checker, raw: unknown): MethodOptions {
   const method = new Map(
-    c.entries('method', raw, ['name', 'formulation', 'rtol', 'atol', 'step', 'maxStep', 'stages', 'projection', 'engine']),
+    c.entries('method', raw, [
+      'name',
+      'formulation',
+      'rtol',
+      'atol',
+      'step',
+      'maxStep',
+      'stages',
+      'projection',
+      'engine',
+    ]),
   );
   const number = (key: string, rule: Parameters<Checker['number']>[2]): number | undefined =>
     method.get(key) === undefined ? undefined : c.number(`method.${key}`, method.get(key), rule);
@@ -228,7 +238,8 @@ function checkMethod(c: Checker, raw: unknown): MethodOptions {
   ];
   const methodName = name('name', METHOD_NAMES, DEFAULTS.method);
   const formulation = name('formulation', FORMULATION_NAMES, DEFAULTS.formulation);
-  const engine = method.get('engine') === undefined ? undefined : c.oneOf('method.engine', method.get('engine'), ENGINE_NAMES);
+  const engine =
+    method.get('engine') === undefined ? undefined : c.oneOf('method.engine', method.get('engine'), ENGINE_NAMES);
   const residual = methodName === 'ida';
   if (residual && method.get('formulation') !== undefined)
     c.add('method.formulation', 'is for every method but ida, which takes the residual as it is; leave it out');

@@ -48,9 +48,7 @@ export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Mo
       `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`,
     );
   const wasm =
-    method.engine !== 'typescript' && id === MULTIPLIERS
-      ? wasmStepper(info.id, formulation, dynamics, method)
-      : null;
+    method.engine !== 'typescript' && id === MULTIPLIERS ? wasmStepper(info.id, formulation, dynamics, method) : null;
   return {
     engine: wasm ? 'wasm' : 'typescript',
     map: formulation,

@@ -74,7 +74,7 @@ export function understandText(text: string, encoding: Encoding, options: Unders
   if (typeof meaning === 'string') return { kind: 'refused', line, message: meaning };
   const { finding, timing, system, long } = meaning;
   const notes = [...layoutNotes(layout), ...meaning.notes, ...finding.notes, ...timing.notes];
-  if (motive)
+  if (motive && system !== null)
     notes.push(
       `Motive's axes${up === 'y' ? ' (Y up) are turned so that Z is up: x = X, y = -Z, z = Y' : ' are taken as they are, Z up'}`,
     );

@@ -239,6 +239,7 @@ function groupsOf(
   const groups: string[][] = [];
   for (let i = header - 1; i >= Math.max(0, header - 6); i--) {
     const { cells, number } = lines[i]!;
+    if (lines[i + 1]!.number - number > 1) break;
     if (
       Math.abs(cells.length - titles.length) > 2 ||
       cells.length < 3 ||

@@ -1,12 +1,15 @@
 import type { SystemMeta } from '../../core/model/system.ts';
 import { attitudeOf } from '../names/vocabulary.ts';
-import type { ImportChoices, ImportPlan, Question } from '../plan.ts';
+import type { ImportChoices, ImportPlan, Question, TimeForm } from '../plan.ts';
 import { orderOf } from '../time/order.ts';
 import { doubtsOf } from '../units/doubts.ts';
 import { anglesOf, unwrap } from './angles.ts';
 import { ratesOf } from './rates.ts';
 import type { RowStore } from './rows.ts';
 import type { CsvResult } from './textReader.ts';
+
+/** Times that are counted from the first row. */
+const EPOCHAL: ReadonlySet<TimeForm> = new Set(['epoch', 'date-time', 'date and clock', 'clock', 'frame'] as const);
 
 export interface Finishing {
   choices: ImportChoices;
@@ -22,7 +25,7 @@ export function finishMotion(
   plan: ImportPlan,
   { choices, scenario, notes, system }: Finishing,
 ): CsvResult {
-  const { runs } = inOrder(store, choices, notes);
+  const { runs } = inOrder(store, plan.time.form, choices, notes);
   let columns = store.uses.map((use) => use.name);
   let data = store.columns();
   if (system && plan.columns.some((c) => c.role === 'quaternion')) [columns, data] = withAngles(columns, data, system);
@@ -45,7 +48,7 @@ export function finishMotion(
   };
 }
 
-function inOrder(store: RowStore, choices: ImportChoices, notes: string[]): { runs: number[] } {
+function inOrder(store: RowStore, form: TimeForm, choices: ImportChoices, notes: string[]): { runs: number[] } {
   const data = store.columns();
   const same = (a: number, b: number): boolean => data.every((column, c) => c === 0 || Object.is(column[a], column[b]));
   const order = orderOf(data[0]!, same, choices.run);
@@ -53,6 +56,10 @@ function inOrder(store: RowStore, choices: ImportChoices, notes: string[]): { ru
   for (const { row, message } of order.dropped) store.skip(store.lineOf(row), title, message);
   notes.push(...order.notes);
   if (order.rows) store.reorder(order.rows);
+  // The first row may have moved.
+  const t = store.columns()[0]!;
+  const first = t[0]!;
+  if (EPOCHAL.has(form) && first !== 0) for (let i = 0; i < t.length; i++) t[i]! -= first;
   return order;
 }
 

@@ -112,8 +112,11 @@ async function open(stream: Bytes): Promise<Opened> {
   const packed = sniff(start).kind === 'gzip';
   const whole = piecesOf(reader, first);
   if (!packed) return { pieces: whole, packed, json: isJson(start) };
-  const inner = await open(unpacked(streamOf(whole), true));
-  return { ...inner, packed };
+  try {
+    return { ...(await open(unpacked(streamOf(whole), true))), packed };
+  } catch (error) {
+    return { pieces: failing(error), packed, json: false };
+  }
 }
 
 function isJson(start: Uint8Array): boolean {
@@ -138,6 +141,11 @@ async function* piecesOf(
   } finally {
     await reader.cancel().catch(() => undefined);
   }
+}
+
+// eslint-disable-next-line require-yield
+async function* failing(error: unknown): AsyncGenerator<Uint8Array> {
+  throw await Promise.resolve(error);
 }
 
 function streamOf(pieces: AsyncGenerator<Uint8Array<ArrayBuffer>>): Bytes {

@@ -33,11 +33,12 @@ export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Ques
   const inRadians = ratio !== null && ratio > 0.4 && ratio < 2.5;
   const inDegrees = ratio !== null && ratio > 0.4 / 57.3 && ratio < 2.5 / 57.3;
   const large = angles.filter((angle) => {
+    if (angle === heading && inRadians) return false;
     const size = largest(angle.data);
     if (size > 2 * 360 * 20) return false;
     return size > HALF_TURN || (size > UPSIDE_DOWN && swings(angle.data));
   });
-  if (angles.length > 0 && !inRadians && (inDegrees || large.length > 0)) {
+  if (inDegrees || large.length > 0) {
     const shown = large[0] ?? heading!;
     questions.push({
       id: 'degrees',

@@ -92,28 +92,32 @@ export function factorOf(unit: string, kind: Kind): number | undefined {
 }
 
 function spelledPlainly(unit: string): string {
-  return unit
-    .trim()
-    .toLowerCase()
-    .replace(/μ/g, 'µ')
-    .replace(/\s*(?:[·*]|\s)\s*s(?:\^?-1|⁻¹)$/, '/s')
-    .replace(/\s*(?:\/|\bper\b)\s*/, '/')
-    .replace(/degrees?|degrés?|grados?|gradi|º/g, 'deg')
-    .replace(/radians?|radiant|radiants?|radianes|radianti/g, 'rad')
-    .replace(/\b(?:seconds?|secs?|sekunden?|secondes?|segundos?|secondi)\b/g, 's')
-    .replace(/\b(?:milliseconds?|millis|msecs?|millisekunden?)\b/g, 'ms')
-    .replace(/\b(?:microseconds?|micros|usecs?)\b/g, 'us')
-    .replace(/\b(?:nanoseconds?|nanos|nsecs?)\b/g, 'ns')
-    .replace(/\b(?:minutes?|mins|minuten)\b/g, 'min')
-    .replace(/\b(?:hours?|hrs?|stunden?)\b/g, 'h')
-    .replace(/\bdays?\b/g, 'd')
-    .replace(/\b(?:millimet(?:re|er)s?)\b/g, 'mm')
-    .replace(/\b(?:centimet(?:re|er)s?)\b/g, 'cm')
-    .replace(/\b(?:kilomet(?:re|er)s?)\b/g, 'km')
-    .replace(/\b(?:metres?|meters?|mètres?|metros?|metri)\b/g, 'm')
-    .replace(/\b(?:inch(?:es)?)\b/g, 'in')
-    .replace(/\b(?:foot|feet)\b/g, 'ft')
-    .replace(/\b(?:turns|revs?|revolutions?|umdrehung(?:en)?)\b/g, 'rev');
+  return (
+    unit
+      .trim()
+      // The German degree; in lower case it may be a gon.
+      .replace(/^Grad\b/, 'deg')
+      .toLowerCase()
+      .replace(/μ/g, 'µ')
+      .replace(/\s*(?:[·*]|\s)\s*s(?:\^?-1|⁻¹)$/, '/s')
+      .replace(/\s*(?:\/|\bper\b)\s*/, '/')
+      .replace(/degrees?|degrés?|grados?|gradi|º/g, 'deg')
+      .replace(/radians?|radiant|radiants?|radianes|radianti/g, 'rad')
+      .replace(/\b(?:seconds?|secs?|sekunden?|secondes?|segundos?|secondi)\b/g, 's')
+      .replace(/\b(?:milliseconds?|millis|msecs?|millisekunden?)\b/g, 'ms')
+      .replace(/\b(?:microseconds?|micros|usecs?)\b/g, 'us')
+      .replace(/\b(?:nanoseconds?|nanos|nsecs?)\b/g, 'ns')
+      .replace(/\b(?:minutes?|mins|minuten)\b/g, 'min')
+      .replace(/\b(?:hours?|hrs?|stunden?)\b/g, 'h')
+      .replace(/\bdays?\b/g, 'd')
+      .replace(/\b(?:millimet(?:re|er)s?)\b/g, 'mm')
+      .replace(/\b(?:centimet(?:re|er)s?)\b/g, 'cm')
+      .replace(/\b(?:kilomet(?:re|er)s?)\b/g, 'km')
+      .replace(/\b(?:metres?|meters?|mètres?|metros?|metri)\b/g, 'm')
+      .replace(/\b(?:inch(?:es)?)\b/g, 'in')
+      .replace(/\b(?:foot|feet)\b/g, 'ft')
+      .replace(/\b(?:turns|revs?|revolutions?|umdrehung(?:en)?)\b/g, 'rev')
+  );
 }
 
 /** Whether text is the unit of anything. */

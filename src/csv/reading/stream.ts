@@ -143,7 +143,6 @@ async function* piecesOf(
   }
 }
 
-// eslint-disable-next-line require-yield
 async function* failing(error: unknown): AsyncGenerator<Uint8Array> {
   throw await Promise.resolve(error);
 }

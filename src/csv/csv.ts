@@ -1,7 +1,9 @@
 import { writeNumber } from './reading/numbers.ts';
-import { CsvReader, type CsvOptions, type CsvResult } from './reading/textReader.ts';
+import type { CsvOptions, CsvResult } from './reading/result.ts';
+import { CsvReader } from './reading/textReader.ts';
 
-export { CsvReader, type CsvOptions, type CsvResult } from './reading/textReader.ts';
+export { CsvReader } from './reading/textReader.ts';
+export type { CsvOptions, CsvResult } from './reading/result.ts';
 export type { CsvIssue } from './reading/issues.ts';
 
 /** Rows joined into one piece of text; joining all at once would hold every line of a large run in memory twice. */

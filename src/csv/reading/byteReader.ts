@@ -1,4 +1,5 @@
-import { CsvReader, type CsvOptions, type CsvResult } from './textReader.ts';
+import type { CsvOptions, CsvResult } from './result.ts';
+import { CsvReader } from './textReader.ts';
 import { sniff } from '../containers/sniff.ts';
 import { encodingOf } from '../encoding/encoding.ts';
 import { LONGEST_LINE } from '../layout/lines.ts';

@@ -6,7 +6,7 @@ import { doubtsOf } from '../units/doubts.ts';
 import { anglesOf, unwrap } from './angles.ts';
 import { ratesOf } from './rates.ts';
 import type { RowStore } from './rows.ts';
-import type { CsvResult } from './textReader.ts';
+import type { CsvResult } from './result.ts';
 
 /** Times that are counted from the first row. */
 const EPOCHAL: ReadonlySet<TimeForm> = new Set(['epoch', 'date-time', 'date and clock', 'clock', 'frame'] as const);

@@ -4,7 +4,8 @@ import { sniff } from '../containers/sniff.ts';
 import type { Understanding } from '../plan.ts';
 import { ENOUGH_TO_DECIDE, understand, understandText, type UnderstandOptions } from '../understand.ts';
 import { CsvByteReader } from './byteReader.ts';
-import { CsvReader, type CsvOptions, type CsvResult } from './textReader.ts';
+import type { CsvOptions, CsvResult } from './result.ts';
+import { CsvReader } from './textReader.ts';
 
 export type Bytes = ReadableStream<Uint8Array<ArrayBuffer>>;
 

@@ -1,50 +1,12 @@
-import type { SystemMeta } from '../../core/model/system.ts';
 import { eachRecord, LineSource, LONGEST_LINE, withoutComments } from '../layout/lines.ts';
 import { Pivot } from '../layout/long.ts';
-import type { Encoding, ImportChoices, ImportPlan, Question } from '../plan.ts';
+import type { Encoding, ImportChoices, ImportPlan } from '../plan.ts';
 import { OFFERED_STEP } from '../time/timePlan.ts';
 import { timeReaderOf } from '../time/reader.ts';
 import { ENOUGH_TO_DECIDE, understandText } from '../understand.ts';
 import { finishMotion } from './finish.ts';
-import type { CsvIssue } from './issues.ts';
+import type { CsvOptions, CsvResult } from './result.ts';
 import { MOST_NUMBERS, RowStore, type ColumnUse } from './rows.ts';
-
-export interface CsvOptions {
-  systems: Readonly<Record<string, SystemMeta>>;
-  /** Answers `needs-time-step`, s. */
-  timeStep?: number;
-  /** What a person decided. */
-  choices?: ImportChoices;
-  /** System of a scenario behind the table, where it is known. */
-  preferred?: string | null;
-  /** Opens what names no system's coordinates as data; otherwise it is unusable. */
-  data?: boolean;
-  /** Takes the safest reading where a question would come first. */
-  unasked?: boolean;
-}
-
-export type CsvResult =
-  | {
-      kind: 'motion';
-      /** Null for data, only where `data` is asked for. */
-      systemId: string | null;
-      /** `t`, coordinates, velocities, then what else was recognised. */
-      columns: string[];
-      data: Float64Array[];
-      rows: number;
-      skippedRows: number;
-      /** In the order of the file, the first 1,000. */
-      issues: CsvIssue[];
-      /** How the file was understood. */
-      notes: string[];
-      /** What the file leaves open; the rows were read in the safest way. */
-      questions: Question[];
-      plan: ImportPlan;
-      /** JSON of a `# scenario:` comment, unchecked, or null. */
-      scenario: unknown;
-    }
-  | { kind: 'needs-time-step'; offeredStep: number; columns: number }
-  | { kind: 'unusable'; issues: CsvIssue[] };
 
 const LONGEST_SCENARIO = 200_000;
 const UNREADABLE = 'the scenario in the comments is not readable and was left aside';

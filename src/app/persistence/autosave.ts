@@ -40,6 +40,7 @@ export class Autosave {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private stored: string | null = null;
   private complained = false;
+  private lastFile: string | null = null;
 
   constructor(
     app: App,
@@ -188,7 +189,11 @@ export class Autosave {
 
   private storeFile({ name, file, choices }: OpenedFile): void {
     const saved: StoredFile | null = file.size > LARGEST_SAVED_FILE ? null : { name, file, choices };
-    if (!saved) this.app.actions.report('info', text.fileLarge(name), [text.fileLargeHint(LARGEST_SAVED_FILE / 1e6)]);
+    const again = name === this.lastFile;
+    this.lastFile = name;
+    // Read another way it is the same file.
+    if (!saved && !again)
+      this.app.actions.report('info', text.fileLarge(name), [text.fileLargeHint(LARGEST_SAVED_FILE / 1e6)]);
     void this.storage.putLarge(FILE, saved).then((reason) => this.complain(reason));
   }
 

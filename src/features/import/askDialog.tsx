@@ -71,7 +71,9 @@ function StepForm({ pending: { name, question } }: { pending: PendingFile }) {
   return (
     <Dialog title={words.stepTitle} testId="step-dialog" onClose={() => actions.answerPending(null)}>
       <form onSubmit={submit}>
-        <p>{words.stepAsk(name)}</p>
+        <p>
+          {name}: {question.text}
+        </p>
         <NumberField
           testId="step-field"
           symbol={<MathSymbol of="Δt" />}

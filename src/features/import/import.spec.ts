@@ -79,7 +79,6 @@ test.describe('on a desk', () => {
     await expect.poll(() => bodyOnStage(page)).not.toEqual(inRadians);
 
     // The view says what was understood.
-    await page.getByTestId('tool-now').click();
     await tabTo(page, 'how-read');
     await page.keyboard.press('Enter');
     await expect(page.getByTestId('import-unit-1')).toHaveValue('mm');

@@ -17,7 +17,6 @@ export const words = {
   readingAgain: 'Reading it again',
 
   stepTitle: 'Time step of this file',
-  stepAsk: (name: string) => `${name} has no header and no time column. How far apart are its rows?`,
   step: 'time step',
   use: 'Use this step',
   giveUp: 'Do not open',

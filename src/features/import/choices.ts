@@ -52,7 +52,8 @@ export function unitsFor({ kind, unit, role }: ColumnPlan): Target[] {
     id,
     label: id === '' ? words.noUnit : id.replace('us', 'µs').replace('deg', '°'),
   });
-  return [...new Set([unit, ...list])].map(shown);
+  // In one order whatever is chosen: arrow keys walk through it.
+  return (list.includes(unit) ? [...list] : [unit, ...list]).map(shown);
 }
 
 /** Coordinates of the system that no column gives. */
@@ -63,19 +64,30 @@ export function missingOf({ columns, system }: ImportPlan, meta: SystemMeta | nu
 }
 
 /**
- * The plan as choices would have it that can't be read yet: a system is chosen, and columns are still without a place.
+ * The plan as choices will have it that are not read yet, or can't be: a system is chosen, and columns are still without
+ * a place. What is pressed next starts from it.
  * @param meta of the system chosen; null for data
  */
 export function drafted(plan: ImportPlan, choices: ImportChoices, meta: SystemMeta | null): ImportPlan {
-  const places = new Map(Object.entries(choices.map ?? {}).map(([name, source]) => [source, name]));
+  const system = meta?.id ?? null;
+  const entries = Object.entries(choices.map ?? {});
+  const places = new Map(entries.map(([name, source]) => [source, name]));
+  const left = new Set(entries.map(([name]) => name));
   const known = new Set(['t', ...(meta?.coordinates ?? []).flatMap(({ name }) => [name, `${name}_dot`])]);
-  const left = new Set(Object.entries(choices.map ?? {}).flatMap(([name, source]) => (source === null ? [name] : [])));
+  const stays = (name: string): boolean => !left.has(name) && (system === plan.system || known.has(name));
   const columns = plan.columns.map((column): ColumnPlan => {
-    const own = column.name !== null && known.has(column.name) && !left.has(column.name) ? column.name : null;
-    const name = places.get(column.source) ?? own;
-    return { ...column, name, ...(name === null || column.role !== 'unused' ? {} : { role: 'coordinate' }) };
+    const { source, role } = column;
+    const own = column.name !== null && stays(column.name) ? column.name : null;
+    const name = choices.time === source ? 't' : (places.get(source) ?? own);
+    return {
+      ...column,
+      name,
+      unit: choices.units?.[source] ?? (role === 'time' ? choices.timeUnit : undefined) ?? column.unit,
+      ...(name === null || role !== 'unused' ? {} : { role: 'coordinate' }),
+    };
   });
-  return { ...plan, system: meta?.id ?? null, columns };
+  const { encoding, separator, decimal, up, rates } = { ...plan, ...choices };
+  return { ...plan, encoding, separator, decimal, up, rates, system, columns };
 }
 
 /** Whether some column of this kind has no unit of its own, so that one for all of them says something. */

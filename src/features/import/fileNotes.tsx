@@ -8,13 +8,20 @@ import { words } from './words.ts';
 const SHOWN = 100;
 
 export function FileFacts({ motion }: { motion: Motion }) {
-  const { issues, trajectory } = motion;
+  const { trajectory } = motion;
+  const whole = motion.issues.filter(({ line }) => line === 0);
+  const issues = motion.issues.filter(({ line }) => line > 0);
   return (
     <>
       <p class="file-title">{motion.title}</p>
       <p class="hint">
         {formatCount(trajectory.length)} {words.rows}, {trajectory.columns.length} {words.columns}
       </p>
+      {whole.length > 0 && (
+        <p class="hint" data-testid="file-notes">
+          {sentence(whole.map(({ message }) => message))}
+        </p>
+      )}
       {issues.length === 0 ? (
         <p class="hint">{words.clean}</p>
       ) : (
@@ -24,7 +31,7 @@ export function FileFacts({ motion }: { motion: Motion }) {
             {issues.slice(0, SHOWN).map((issue, i) => (
               <li key={i}>
                 <b>
-                  {issue.line === 0 ? words.whole : words.lines(issue.line, issue.to)}
+                  {words.lines(issue.line, issue.to)}
                   {issue.column !== '' && `, ${words.column} ${issue.column}`}
                 </b>
                 <span>{issue.message}</span>
@@ -36,6 +43,12 @@ export function FileFacts({ motion }: { motion: Motion }) {
       )}
     </>
   );
+}
+
+/** Notes on the whole file, one after another. */
+function sentence(notes: readonly string[]): string {
+  const text = notes.join('; ');
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
 }
 
 /** Beside the numbers of the moment, while a file is on the stage. */

@@ -9,7 +9,7 @@ import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { App } from '../../app/app.ts';
 import type { ColumnPlan, ImportChoices, ImportPlan, Question } from '../../csv/plan.ts';
 import { AskDialog } from './askDialog.tsx';
-import { sentTo, targetsOf, unitsFor } from './choices.ts';
+import { drafted, sentTo, targetsOf, unitsFor } from './choices.ts';
 import { DataDoor } from './dataDoor.tsx';
 import { FileNotes } from './fileNotes.tsx';
 import { ImportTool } from './importTool.tsx';
@@ -277,8 +277,19 @@ describe('choices', () => {
     expect(sentTo(plan.columns[1]!, 'X')).toEqual({ map: { X: 'X' } });
   });
 
+  test('what is chosen stands in the view while it is read', () => {
+    const shown = drafted(plan, { units: { X: 'cm' }, timeUnit: 's', map: { theta: 'remark' }, decimal: '.' }, meta);
+    expect(shown.columns.map(({ name, unit }) => [name, unit])).toEqual([
+      ['t', 's'],
+      ['X', 'cm'],
+      [null, ''],
+      ['theta', ''],
+    ]);
+    expect(shown).toMatchObject({ decimal: '.', separator: ';', system: 'cart-pendulum' });
+  });
+
   test('every kind is offered its units, and the one it has', () => {
-    expect(unitsFor(plan.columns[1]!).map(({ id }) => id)).toContain('mm');
+    expect(unitsFor(plan.columns[1]!).map(({ id }) => id)).toEqual(['m', 'cm', 'mm', 'km', 'in', 'ft']);
     expect(unitsFor(column(0, 'x', { kind: 'length', unit: 'furlong' }))[0]!.id).toBe('furlong');
     expect(unitsFor(column(0, 'F'))).toHaveLength(1);
     expect(unitsFor(column(0, 'yaw', { role: 'data' })).map(({ id }) => id)).toContain('deg');

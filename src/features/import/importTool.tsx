@@ -17,6 +17,9 @@ export function ImportTool() {
   if (motion?.source !== 'file') return <p class="hint pad">{words.none}</p>;
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label={words.title} data-testid="import-tool">
+      <div class="import">
+        <Questions place="tool" />
+      </div>
       <div class="file">
         <FileFacts motion={motion} />
       </div>
@@ -34,9 +37,10 @@ function Reading({
 }) {
   const { state, actions, systemOf } = useUi().app;
   const refused = state.refusedReading.value;
-  const system = refused?.choices.system === undefined ? found.system : refused.choices.system;
+  const pending = state.readingAgain.value ?? refused?.choices;
+  const system = pending?.system === undefined ? found.system : pending.system;
   const meta = system === null ? null : (systemOf(system)?.meta ?? motion.system.meta);
-  const plan = refused ? drafted(found, refused.choices, meta) : found;
+  const plan = pending ? drafted(found, pending, meta) : found;
   const chosen = Object.keys(choices).length > 0;
   const busy = state.readingAgain.value !== null;
   return (
@@ -51,7 +55,6 @@ function Reading({
           </div>
         </div>
       )}
-      <Questions place="tool" />
       <Section title={words.columnsTitle} open>
         <ColumnsTable plan={plan} meta={meta} />
       </Section>

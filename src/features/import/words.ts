@@ -12,7 +12,6 @@ export const words = {
   more: (n: number) => `and ${n} more`,
   lines: (line: number, to?: number) => (to === undefined ? `line ${line}` : `lines ${line} to ${to}`),
   column: 'column',
-  whole: 'whole file',
   how: 'How it was read',
   readingAgain: 'Reading it again',
 

@@ -16,6 +16,7 @@ import type { ModePreview, ModeRequest } from './runs/modePreview.ts';
 import type { PinnedRun, PinnedRuns } from './runs/pinnedRuns.ts';
 import type { StageState } from './runs/stageState.ts';
 import type { Sweep } from './runs/sweep.ts';
+import type { TrustState } from './runs/trust.ts';
 import type { CaseInfo } from './state/cases.ts';
 import type { DialogActions, DialogState } from './state/dialogs.ts';
 import type { DraftAndOrigin, DraftEdit, ExperimentActions, ExperimentState } from './state/experiment.ts';
@@ -33,6 +34,7 @@ export interface AppState
   extends
     ExperimentState,
     StageState,
+    TrustState,
     PlaybackState,
     PushState,
     SettingsState,
@@ -55,6 +57,8 @@ export interface RunActions {
   cancel(): void;
   /** Runs the draft, or another scenario, with each of these methods. @throws ScenarioError when it can't run itself */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
+  /** Computes the run on the stage again by another method, however long it takes. */
+  compareRun(): void;
   /** Puts a motion on the stage and plays it; a run still computing is abandoned. */
   showMotion(motion: Omit<Motion, 'id'>): void;
   /** Puts a mode on the stage, growing as it does or by its shape alone. */

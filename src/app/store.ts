@@ -15,6 +15,7 @@ import { PinnedRuns } from './runs/pinnedRuns.ts';
 import { Runs } from './runs/runs.ts';
 import { createStage } from './runs/stageState.ts';
 import type { Sweep } from './runs/sweep.ts';
+import { TrustKeeper } from './runs/trust.ts';
 import { settleView } from './runs/views.ts';
 import { builtInCases, firstCaseOf, ownCase, type CaseInfo } from './state/cases.ts';
 import { createDialogs } from './state/dialogs.ts';
@@ -51,7 +52,8 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
   const layout = createStageLayout();
   const fileState = createFileState();
 
-  const csvExport = new CsvExport(stage.state, fileState.actions, compute.csv, messages.actions);
+  const trust = new TrustKeeper({ stage: stage.state, draft: experiment.state.draft, client: compute.trust });
+  const csvExport = new CsvExport({ ...stage.state, ...trust.state }, fileState.actions, compute.csv, messages.actions);
   const runs = new Runs({
     stage,
     experiment: experiment.state,
@@ -97,6 +99,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
   const state: AppState = {
     ...experiment.state,
     ...stage.state,
+    ...trust.state,
     ...playback.state,
     ...push.state,
     ...settings.state,
@@ -155,6 +158,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     cancelWriting: () => csvExport.cancel(),
     saveScenario: () => download('scenario.json', [`${JSON.stringify(draft.peek(), null, 2)}\n`], 'application/json'),
     compare: (contenders, scenario) => comparison.start(scenario ?? draft.peek(), contenders, systemMetas),
+    compareRun: () => trust.compare(),
     showMotion: (motion) => runs.show(motion),
     showMode(mode, growth) {
       try {

@@ -6,6 +6,7 @@ export { plots } from './plots/manifest.tsx';
 export { equations } from './equations/manifest.tsx';
 export { analysis } from './analysis/manifest.tsx';
 export { methods } from './methods/manifest.tsx';
+export { trust } from './trust/manifest.tsx';
 export { compare } from './compare/manifest.tsx';
 export { file } from './file/manifest.tsx';
 export { importing } from './import/manifest.tsx';

@@ -46,6 +46,8 @@ export interface Feature {
   notes?: ComponentType;
   /** At the end of the status line, once a run has ended. */
   runStatus?: ComponentType;
+  /** Along the time line, under its track; as wide as the line. */
+  timeLine?: ComponentType;
   /** Always in the page, and seen when it chooses: a dialog, a cover for dropped files. */
   dialog?: ComponentType;
   /** Under the sheet of keys; `close` closes the sheet. */
@@ -65,6 +67,7 @@ export type SlotName =
   | 'card'
   | 'notes'
   | 'runStatus'
+  | 'timeLine'
   | 'dialog';
 
 /** Features as the page shows them. */

@@ -62,10 +62,15 @@ export const text = {
     label: 'Status',
     steps: 'steps',
     energy: 'energy',
-    energyTitle: 'Energy now minus energy at the start, relative to largest kinetic energy',
+    drift: 'energy drift',
+    ofKinetic: 'of the largest kinetic energy',
+    energyTitle:
+      'Energy now minus energy at the start; for a system at rest in joules, there being no kinetic energy to compare it with',
     energyChange: 'energy change',
-    energyChangeTitle:
-      'Energy put in by feet and motors less losses, relative to largest kinetic energy: this run is driven or damped, so energy is not kept',
+    energyChangeTitle: 'Energy now minus energy at the start: this motion is driven or damped, so energy is not kept',
+    workBalance: 'work balance',
+    workBalanceTitle:
+      'Change of energy less the work that inputs, controllers and pushes put in: what dampers took, and what the method lost',
     residual: 'residual',
     residualTitle: 'Largest constraint residual so far',
     computing: (percent: number) => `computing ${percent} %`,

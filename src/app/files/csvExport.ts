@@ -2,18 +2,20 @@ import type { CsvClient } from '../../compute/client/csvClient.ts';
 import { download } from './download.ts';
 import { pushComments } from '../push/pushRecorder.ts';
 import type { StageState } from '../runs/stageState.ts';
+import type { RunTrust, TrustState } from '../runs/trust.ts';
+import { trustSentence } from '../../core/simulation/trust.ts';
 import type { MessageActions } from '../state/messages.ts';
 import type { FileActions } from './fileState.ts';
 
 /** The motion on the stage as a CSV file: a long one part by part, with its share on the page, until it is cancelled. */
 export class CsvExport {
-  private readonly stage: StageState;
+  private readonly stage: StageState & TrustState;
   private readonly files: FileActions;
   private readonly csv: CsvClient;
   private readonly messages: MessageActions;
   private going: AbortController | null = null;
 
-  constructor(stage: StageState, files: FileActions, csv: CsvClient, messages: MessageActions) {
+  constructor(stage: StageState & TrustState, files: FileActions, csv: CsvClient, messages: MessageActions) {
     this.stage = stage;
     this.files = files;
     this.csv = csv;
@@ -38,7 +40,11 @@ export class CsvExport {
         .toLowerCase() || 'run'
     }.csv`;
     const comments = motion.scenario
-      ? [`scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`, ...pushComments(motion)]
+      ? [
+          `scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`,
+          ...pushComments(motion),
+          ...trustComments(stage.trust.peek()),
+        ]
       : [];
     const onProgress = (share: number): void => {
       if (!signal.aborted && share < 1) files.setWriting({ name, share });
@@ -61,3 +67,6 @@ export class CsvExport {
     this.files.setWriting(null);
   }
 }
+
+const trustComments = (known: RunTrust | null): string[] =>
+  known?.kind === 'compared' ? [`trust: ${trustSentence(known.trust)}`] : [];

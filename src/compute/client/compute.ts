@@ -9,11 +9,13 @@ import { RunClient } from './runClient.ts';
 import { SweepClient } from './sweepClient.ts';
 
 /** What a worker is started for; all are the same program, and the name is seen in the browser's tools. */
-export type Purpose = 'run' | 'control' | 'locus' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
+export type Purpose = 'run' | 'trust' | 'control' | 'locus' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
 
 /** All that the page can have computed aside. A worker is started by the first call that needs it. */
 export class Compute {
   readonly run: RunClient;
+  /** Runs computed a second time. */
+  readonly trust: RunClient;
   readonly control: ControlClient;
   readonly locus: LocusClient;
   readonly mechanics: MechanicsClient;
@@ -26,6 +28,7 @@ export class Compute {
   /** @param cores of the machine */
   constructor(start: (purpose: Purpose) => WorkerLike, metas: Metas, cores: number) {
     this.run = new RunClient(() => start('run'));
+    this.trust = new RunClient(() => start('trust'));
     this.control = new ControlClient(() => start('control'), metas);
     this.locus = new LocusClient(() => start('locus'), metas);
     this.mechanics = new MechanicsClient(() => start('mechanics'));

@@ -23,6 +23,17 @@ export function formatScientific(x: number, digits = 1): string {
   return typographic(x.toExponential(digits).replace('e+', 'e'));
 }
 
+const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+
+/** Powers of ten as they are written by hand, e.g. `−2·10⁻¹⁰`; what is neither small nor large as it is. */
+export function formatPower(x: number): string {
+  if (!Number.isFinite(x)) return '–';
+  const [digits, exponent] = x.toExponential(0).split('e') as [string, string];
+  if (x === 0 || Math.abs(Number(exponent)) <= 2) return formatShort(x, 1);
+  const raised = [...exponent].map((c) => (c === '+' ? '' : c === '-' ? '⁻' : RAISED[Number(c)]!)).join('');
+  return `${typographic(digits)}·10${raised}`;
+}
+
 export interface EnergyFacts {
   energyDrift: number | null;
   energyChange: number;

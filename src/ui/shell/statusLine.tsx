@@ -3,7 +3,7 @@ import type { Motion } from '../../app/runs/motion.ts';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';
-import { formatCount, formatDrift, formatScientific, type EnergyFacts } from '../kit/format.ts';
+import { formatCount, formatPower, formatScientific, THIN, type EnergyFacts } from '../kit/format.ts';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
@@ -63,14 +63,50 @@ function isDriven(motion: Motion | null): boolean {
   );
 }
 
+/** What energy did, by what says most of how good the numbers are. */
+function Energy({ numbers, driven }: { numbers: (EnergyFacts & { work?: number | null }) | null; driven: boolean }) {
+  const words = text.status;
+  const joules = (x: number) => <b data-testid="energy">{`${formatPower(x)}${THIN}J`}</b>;
+  if (driven && numbers) {
+    const { work = null, energyChange } = numbers;
+    return work === null ? (
+      <span title={words.energyChangeTitle}>
+        {words.energyChange} {joules(energyChange)}
+      </span>
+    ) : (
+      <span title={words.workBalanceTitle}>
+        {words.workBalance} {joules(energyChange - work)}
+      </span>
+    );
+  }
+  return (
+    <span title={words.energyTitle}>
+      {words.drift}{' '}
+      {numbers === null ? (
+        <b data-testid="energy">–</b>
+      ) : numbers.energyDrift === null ? (
+        joules(numbers.energyChange)
+      ) : (
+        <>
+          <b data-testid="energy">{formatPower(numbers.energyDrift)}</b> {words.ofKinetic}
+        </>
+      )}
+    </span>
+  );
+}
+
 /** Energy and constraint residual; dashes where they are not known. */
-function Trust({ numbers, driven }: { numbers: (EnergyFacts & { residual: number }) | null; driven: boolean }) {
+function Trust({
+  numbers,
+  driven,
+}: {
+  numbers: (EnergyFacts & { work?: number | null; residual: number }) | null;
+  driven: boolean;
+}) {
   const words = text.status;
   return (
     <>
-      <span title={driven ? words.energyChangeTitle : words.energyTitle}>
-        {driven ? words.energyChange : words.energy} <b data-testid="energy">{numbers ? formatDrift(numbers) : '–'}</b>
-      </span>
+      <Energy numbers={numbers} driven={driven} />
       <span title={words.residualTitle}>
         {words.residual} <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b>
       </span>

@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useUi } from '../context.ts';
 import { formatTime, THIN } from '../kit/format.ts';
+import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 import { fraction, timelineOf } from './timeline.ts';
 import type { Timeline } from './timeline.ts';
@@ -19,6 +20,7 @@ export function Scrubber() {
         <span class="scrub-track" />
         <span class="scrub-buffer" style={{ width: percent(fraction(line.available, line)) }} />
         <Played line={line} />
+        <Slot name="timeLine" />
         {motion?.marks.map((mark) => (
           <Mark key={`${mark.time} ${mark.name}`} at={fraction(mark.time, line)} time={mark.time} name={mark.name} />
         ))}

@@ -71,7 +71,7 @@ function one({ title, picture, zoom, legend = [] }: SheetChart, id: string): str
   if (legend.length > 1) {
     // Read over the curves that run behind it.
     const wide = 38 + Math.max(...legend.map(({ label }) => widthOf(surface, label)));
-    surface.globalAlpha = 0.85;
+    surface.globalAlpha = 0.65;
     surface.fillStyle = PRINT.surface;
     surface.fillRect(frame.left + frame.width - wide, frame.top + 1, wide - 1, LEGEND * legend.length + 5);
     surface.globalAlpha = 1;

@@ -283,6 +283,7 @@ test.each([
 
 test('times in order: what can be kept is kept', () => {
   const order = (list: number[]) => orderOf(Float64Array.from(list), () => false);
+  expect(order([5, 0, 1, 2, 3]).rows).toEqual(Int32Array.of(1, 2, 3, 4));
   expect(order([3, 2, 1]).rows).toEqual(Int32Array.of(2, 1, 0));
   expect(order([0, 4, 2, 1, 5, 3]).rows).toEqual(Int32Array.of(0, 3, 2, 5, 1, 4));
   expect(order([0, 1, 2, 0, 1, 2, 0, 1, 2]).runs).toEqual([0, 3, 6]);

@@ -119,16 +119,16 @@ function unfallen(t: Float64Array, order: Order, run: number): Int32Array {
   for (let i = 1; i < n; i++) if (t[i] === t[i - 1]) equal++;
   if (out - equal <= Math.max(1, FEW * n)) {
     const inside = new Set(kept);
-    let last = 0;
+    let last = -1;
     for (let i = 0; i < n; i++) {
       if (inside.has(i)) last = i;
       // Rows with the time of their neighbour are another matter.
-      else if (t[i] === t[last]) inside.add(i);
+      else if (last >= 0 && t[i] === t[last]) inside.add(i);
       else
         order.dropped.push({
           row: i,
           message:
-            t[i]! > t[last]!
+            last < 0 || t[i]! > t[last]!
               ? `the time ${t[i]} s is later than that of the rows below`
               : `the time ${t[i]} s is not later than ${t[last]} s`,
         });

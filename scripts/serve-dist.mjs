@@ -47,13 +47,20 @@ function fileFor(url, base, folder) {
   return null;
 }
 
+const COMPUTE_WORKER = /[\\/]assets[\\/]worker-[^\\/]+\.js$/;
+
 /** The Content-Security-Policy that the page itself names. */
-function policyOf(folder) {
+function policyOf(folder, file) {
   try {
     const policy = /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(
       readFileSync(join(folder, 'index.html'), 'utf8'),
     );
-    return policy ? { 'Content-Security-Policy': policy[1] } : {};
+    if (!policy) return {};
+    // The compute worker may compile WebAssembly, which evaluates no script; the page itself may not.
+    const compiling = COMPUTE_WORKER.test(file)
+      ? policy[1].replace("script-src 'self'", "$& 'wasm-unsafe-eval'")
+      : policy[1];
+    return { 'Content-Security-Policy': compiling };
   } catch (_) {
     return {};
   }
@@ -76,7 +83,7 @@ function answer(request, response, base, folder) {
     'X-Content-Type-Options': 'nosniff',
     'Referrer-Policy': 'no-referrer',
     // Workers come under the policy of their own answer, not of the page's.
-    ...policyOf(folder),
+    ...policyOf(folder, file.path),
   });
   if (request.method === 'HEAD') response.end();
   else

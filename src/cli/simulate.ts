@@ -46,7 +46,11 @@ export async function simulate(scenario: Scenario, system: System, options: Simu
     trust = second ? await second.finish(simulation) : null;
     // Behind the table, where a program that knows no comments has read all numbers.
     output.write(
-      csvComments([`scenario: ${JSON.stringify(options.written)}`, ...simulation.warnings.map((w) => `warning: ${w}`)]),
+      csvComments([
+        `scenario: ${JSON.stringify(options.written)}`,
+        `engine: ${simulation.engine}`,
+        ...simulation.warnings.map((w) => `warning: ${w}`),
+      ]),
     );
     if (trust) output.write(`# trust: ${trustSentence(trust)}\n`);
     output.finish();

@@ -169,7 +169,6 @@ export class Simulation {
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     const unresolved = stepped.plan && fixedStepOf(scenario.method);
-    this.notes = start.notes;
     this.warnings = unresolved
       ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
       : [];
@@ -205,6 +204,13 @@ export class Simulation {
     this.eventValues = new Float64Array(this.events.length);
     const { engine, map, stepper, problem } = motionOf(scenario.method, this.dynamics);
     this.engine = engine;
+    this.notes =
+      scenario.method.engine === 'wasm' && engine !== 'wasm'
+        ? [
+            ...start.notes,
+            'computed by TypeScript: WebAssembly serves explicit pairs on multipliers, nothing held, where the host compiles it',
+          ]
+        : start.notes;
     this.formulation = this.charts?.map(map) ?? map;
     this.stepper = stepper;
     this.projecting = scenario.method.projection && this.dynamics.m > 0;

@@ -1,6 +1,6 @@
 import { MathSymbol } from '../../charts/textView.tsx';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
-import type { MethodOptions, ScenarioFile } from '../../core/scenario/types.ts';
+import type { EngineId, MethodOptions, ScenarioFile } from '../../core/scenario/types.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Check, Choice, Section } from '../../ui/kit/controls.tsx';
 import { withKey, withMethod } from '../../app/state/draft.ts';
@@ -19,6 +19,8 @@ const methodDefaults = {
 /** The method without a formulation, and what its choice then says. */
 const RESIDUAL_METHOD = 'ida';
 const NONE = '';
+/** No choice of an engine. */
+const FASTEST = '';
 
 /** Another method; a formulation goes where it has no meaning. */
 function named(draft: ScenarioFile, id: string): ScenarioFile {
@@ -87,6 +89,18 @@ export function MethodSection() {
           testId="method-maxStep"
         />
       )}
+      <Choice
+        label={words.engine}
+        value={method.engine ?? FASTEST}
+        options={[
+          { id: FASTEST, label: words.fastest },
+          { id: 'wasm', label: 'WebAssembly' },
+          { id: 'typescript', label: 'TypeScript' },
+        ]}
+        error={errors.get('method.engine')}
+        testId="method-engine"
+        onChange={(id) => set('engine', id === FASTEST ? undefined : (id as EngineId))}
+      />
       <Check
         label={words.projection}
         checked={method.projection ?? true}

@@ -21,6 +21,8 @@ export const words = {
   step: 'step (first step if adaptive)',
   maxStep: 'largest step',
   auto: 'auto',
+  engine: 'Computed by',
+  fastest: 'the fastest there is',
   projection: 'Project every step and sample onto the constraints',
   inputs: 'Inputs',
   inputsHint: 'Numbers or expressions of t, e.g. 0.1*sin(2*pi*t).',

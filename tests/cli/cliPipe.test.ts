@@ -5,7 +5,7 @@ test('a run written to a slow pipe arrives whole: a write that takes only part o
   const scenario = { version: 1, system: 'rolling-wheel', initial: { phi_dot: 3, theta_dot: 1 }, duration: 30 };
   const command = `'${process.execPath}' --import tsx src/cli/main.ts simulate - | (sleep 1; wc -l)`;
   const { stdout } = spawnSync('sh', ['-c', command], { input: JSON.stringify(scenario), encoding: 'utf8' });
-  expect(Number(stdout)).toBe(1 + 3001 + 1);
+  expect(Number(stdout)).toBe(1 + 3001 + 2);
 }, 60_000);
 
 test('what a fixed step passes over is said on standard error and behind the table', () => {
@@ -25,7 +25,8 @@ test('what a fixed step passes over is said on standard error and behind the tab
   expect(stderr).toMatch(/^warning: tau_phi changes within a step at t = 0\.4\d+ s: a fixed step of 0\.01 s/m);
   const lines = stdout.trimEnd().split('\n');
   expect(lines[0]).toMatch(/^t,X,Y/);
-  expect(lines.at(-2)).toBe(`# scenario: ${JSON.stringify(scenario)}`);
+  expect(lines.at(-3)).toBe(`# scenario: ${JSON.stringify(scenario)}`);
+  expect(lines.at(-2)).toBe('# engine: typescript');
   expect(lines.at(-1)).toMatch(/^# warning: tau_phi/);
-  expect(lines.length).toBe(1 + 101 + 2);
+  expect(lines.length).toBe(1 + 101 + 3);
 }, 60_000);

@@ -42,6 +42,7 @@ export class CsvExport {
     const comments = motion.scenario
       ? [
           `scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`,
+          ...(motion.engine ? [`engine: ${motion.engine}`] : []),
           ...pushComments(motion),
           ...trustComments(stage.trust.peek()),
         ]

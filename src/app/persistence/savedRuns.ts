@@ -5,7 +5,7 @@ import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import { checkScenario, collectScenarioErrors } from '../../core/scenario/schema.ts';
 import { MOST_SWEEP_RUNS, type SweepAxis } from '../../core/scenario/sweepAxes.ts';
-import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
+import { ENGINE_NAMES, type EngineId, type Scenario, type ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { Motion } from '../runs/motion.ts';
 import { bytesOf, MOST_PINNED, type PinnedRun } from '../runs/pinnedRuns.ts';
@@ -105,6 +105,7 @@ function runFrom(stored: StoredRun, views: Views, id: number): Omit<PinnedRun, '
       issues: listOf(motion.issues),
       marks: listOf<Motion['marks'][number]>(motion.marks).filter(({ time }) => typeof time === 'number'),
       ...(Array.isArray(motion.pushes) ? { pushes: motion.pushes } : {}),
+      ...(ENGINE_NAMES.some((name) => name === motion.engine) ? { engine: motion.engine as EngineId } : {}),
       judgement: motion.judgement ? numbersOf(motion.judgement) : null,
     },
   };

@@ -1,6 +1,6 @@
 /** What can be watched, and what is known of the run behind it. */
 import type { Trajectory } from '../../core/motion/trajectory.ts';
-import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
+import type { EngineId, Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { PushRecord } from '../../core/simulation/push.ts';
 import type { ImportChoices, ImportPlan } from '../../csv/plan.ts';
 import type { SystemView } from '../../core/model/system.ts';
@@ -66,6 +66,8 @@ export interface Motion {
   scenario: Scenario | null;
   /** The scenario as the person wrote it; what an export carries. */
   written: ScenarioFile | null;
+  /** Of a run: what computed its steps. */
+  engine?: EngineId;
   adjustments: readonly Adjustment[];
   issues: readonly FileIssue[];
   /** Event marks on the time line. */

@@ -159,7 +159,7 @@ export class Runs {
     client.start(
       scenario,
       {
-        started: (columns, adjustments, notes) => {
+        started: (columns, adjustments, notes, engine) => {
           motion = {
             id: this.nextMotion++,
             source: 'run',
@@ -172,6 +172,7 @@ export class Runs {
             constraints: scenario.constraints,
             scenario,
             written: draft,
+            engine,
             adjustments: onward?.before.adjustments ?? adjustments,
             issues: [],
             marks: onward ? marksOf(onward) : [],

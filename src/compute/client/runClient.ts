@@ -1,5 +1,5 @@
 import type { StartAdjustment } from '../../core/mechanics/consistentStart.ts';
-import type { Scenario } from '../../core/scenario/types.ts';
+import type { EngineId, Scenario } from '../../core/scenario/types.ts';
 import type { PushRecord } from '../../core/simulation/push.ts';
 import type { Continuation, RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
 import { RemoteWorker, type OngoingCall, type WorkerLike } from '../remote/remoteWorker.ts';
@@ -7,7 +7,7 @@ import type { Live, RunCalls, RunEvent, RunResult } from '../services/runTypes.t
 import { answerOf } from './answer.ts';
 
 export interface RunHandlers {
-  started(columns: string[], adjustments: StartAdjustment[], notes: string[]): void;
+  started(columns: string[], adjustments: StartAdjustment[], notes: string[], engine: EngineId): void;
   rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts, seconds: number): void;
   /** A push acts from then on, or ends. */
   pushed?(record: PushRecord): void;
@@ -72,7 +72,7 @@ export class RunClient {
 function hear(event: RunEvent, handlers: RunHandlers): void {
   switch (event.type) {
     case 'started':
-      return handlers.started(event.columns, event.adjustments, event.notes);
+      return handlers.started(event.columns, event.adjustments, event.notes, event.engine);
     case 'rows':
       return handlers.rows(event.columns, event.rows, event.time, event.counts, event.seconds);
     case 'pushed':

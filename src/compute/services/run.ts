@@ -24,6 +24,7 @@ async function compute(
     columns: [...simulation.columns],
     adjustments: [...simulation.adjustments],
     notes: [...simulation.notes, ...simulation.warnings],
+    engine: simulation.engine,
   });
   const send = (): void => {
     const { columns, rows } = simulation.takeChunk();

@@ -1,5 +1,5 @@
 import type { StartAdjustment } from '../../core/mechanics/consistentStart.ts';
-import type { Scenario } from '../../core/scenario/types.ts';
+import type { EngineId, Scenario } from '../../core/scenario/types.ts';
 import type { Push, PushRecord } from '../../core/simulation/push.ts';
 import type { Continuation, RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -26,7 +26,7 @@ export interface Live {
 
 /** Column buffers are transferred, not copied; `seconds` is the time spent computing so far. */
 export type RunEvent =
-  | { type: 'started'; columns: string[]; adjustments: StartAdjustment[]; notes: string[] }
+  | { type: 'started'; columns: string[]; adjustments: StartAdjustment[]; notes: string[]; engine: EngineId }
   | { type: 'rows'; columns: Float64Array[]; rows: number; time: number; counts: RunCounts; seconds: number }
   /** From this time on the push acts that the page asked for. */
   | { type: 'pushed'; record: PushRecord };

@@ -25,6 +25,7 @@ export function wasmStepper(
   const machine = machineFor(tape, constraints.id, tableau, constraints.contact, n, direct.forced);
   if (!machine) return null;
   return new WasmRungeKutta(problem, options, tableau, {
+    dynamics,
     machine,
     constants: direct.constants,
     forces: direct.forced ? (t, q, v, out) => direct.forces(t, q, v, out) : null,

@@ -1,12 +1,14 @@
 import type { OdeProblem, StepperOptions } from '../integrators/contract.ts';
 import { EmbeddedRungeKutta } from '../integrators/runge-kutta/embeddedRungeKutta.ts';
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
+import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import type { Machine, Tenant } from './machine.ts';
 
 const BYTES = 8;
 
 /** What the steps of a machine stand for. */
 export interface Work {
+  readonly dynamics: ConstrainedSystem;
   readonly machine: Machine;
   /** What the derivation's `prepare` makes of the parameters. */
   readonly constants: Float64Array;
@@ -103,6 +105,9 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
     this.keptAt = trialAt;
     this.inMemory = true;
     this.denseMade = false;
+    // An event looks at the end of every step: it finds there what the last slope was made of.
+    const { lambda, factors } = this.machine.layout;
+    this.work.dynamics.adopt(this.previousT + h, memory, trialAt + N, last, lambda, factors);
     this.chooseNext(h, error, 1);
   }
 

@@ -205,6 +205,12 @@ export class ConstrainedSystem {
     return this.factor();
   }
 
+  /** The same for what another engine has evaluated at a time (s) and state. */
+  adopt(t: number, ...evaluated: Parameters<DirectAccelerations['adopt']>): void {
+    this.direct!.adopt(...evaluated);
+    this.holdsDirect(t);
+  }
+
   private holdsDirect(t: number): true {
     this.prepared = 'direct';
     this.preparedT = t;

@@ -78,6 +78,19 @@ export class DirectAccelerations {
     return done;
   }
 
+  /**
+   * What another engine has evaluated at y = [q, v], as if `ofState` had.
+   * @param from numbers of which the arrays begin at these positions
+   */
+  adopt(from: Float64Array, y: number, rate: number, lambda: number, factors: number): void {
+    for (let i = 0; i < this.y.length; i++) {
+      this.y[i] = from[y + i]!;
+      this.rate[i] = from[rate + i]!;
+    }
+    for (let r = 0; r < this.lambda.length; r++) this.lambda[r] = from[lambda + r]!;
+    for (let k = 0; k < this.factors.length; k++) this.factors[k] = from[factors + k]!;
+  }
+
   /** Generalized forces from outside at a state into `force` (n). */
   forces(t: number, q: Float64Array, v: Float64Array, force: Float64Array): void {
     force.fill(0);

@@ -13,6 +13,8 @@ export interface Feedback {
   asked(t: number, q: Float64Array, v: Float64Array): number;
   /** The most that the input gives, either way. */
   readonly limit: number;
+  /** What counts, by past inputs (newest first, those of one moment in the controller's order), off what is asked. */
+  readonly past?: Float64Array;
   /** Adds the derivatives of what is asked by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
   addSlopes(
     t: number,

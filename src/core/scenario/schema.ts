@@ -1,6 +1,7 @@
 import { inputsOf } from '../model/inputs.ts';
 import type { SystemMeta } from '../model/system.ts';
 import { Checker, kindOf } from './checker.ts';
+import { checkComputer, COMPUTER_KEYS } from './computer.ts';
 import {
   COLUMN_NAMES,
   DEFAULTS,
@@ -272,8 +273,8 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   if (type === undefined) return null;
   const keys =
     type === 'lqr'
-      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule']
-      : ['type', 'reference', 'kp', 'kd', 'limits'];
+      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule', ...COMPUTER_KEYS]
+      : ['type', 'reference', 'kp', 'kd', 'limits', ...COMPUTER_KEYS.filter((key) => key !== 'design')];
   const control = new Map(c.entries('control', raw, keys));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
@@ -302,6 +303,7 @@ function checkLqr(
     R,
     limits,
     ...(control.get('schedule') === undefined ? {} : { schedule: checkSchedule(c, control.get('schedule'), meta) }),
+    ...checkComputer(c, control, names, limits),
   };
 }
 
@@ -330,5 +332,12 @@ function checkTrack(
   if (control.get('reference') === undefined)
     c.add('control.reference', `is missing; it names what an input follows, by ${followers.join(', ')}`);
   const gain = (key: 'kp' | 'kd'): number => c.number(`control.${key}`, control.get(key), { least: 0 }) ?? 0;
-  return { type: 'track', reference, kp: gain('kp'), kd: gain('kd'), limits };
+  return {
+    type: 'track',
+    reference,
+    kp: gain('kp'),
+    kd: gain('kd'),
+    limits,
+    ...checkComputer(c, control, Object.keys(reference), limits),
+  };
 }

@@ -3,7 +3,26 @@
 /** A number (SI, radians) or an expression such as `"10 deg"`. */
 export type NumberOrExpression = number | string;
 
-export interface LqrControl {
+/** The computer that runs a controller; without `sample` there is none and the controller acts continuously. */
+export interface Computer {
+  /** It measures at k * sample and holds its inputs in between, s. */
+  sample?: number;
+  /** From a measurement to when its inputs act, s; of any length. */
+  delay?: number;
+  /** `continuous` (default): the continuous regulator's gain, held; `sampled`: the least cost among held inputs. */
+  design?: 'continuous' | 'sampled';
+  /** By input. */
+  actuators?: Record<string, Actuator>;
+}
+
+/** What a motor makes of what is asked: at most `limit`, changing by at most `rate` (per s), in steps of `resolution`. */
+export interface Actuator {
+  limit?: number;
+  rate?: number;
+  resolution?: number;
+}
+
+export interface LqrControl extends Computer {
   type: 'lqr';
   inputs: string[];
   at?: Record<string, NumberOrExpression>;
@@ -20,7 +39,7 @@ export interface SpeedSchedule {
   count: number;
 }
 
-export interface TrackControl {
+export interface TrackControl extends Omit<Computer, 'design'> {
   type: 'track';
   /** Keyed by the input that follows it; expressions of t. */
   reference: Record<string, NumberOrExpression>;

@@ -3,6 +3,7 @@ import type { Scenario, TrackControl } from '../scenario/types.ts';
 import type { InputMeta, SystemMeta } from '../model/system.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
 import { inputsOf } from '../model/inputs.ts';
+import { HeldControl } from './heldControl.ts';
 import { InputPlan, type PlanOptions } from './inputPlan.ts';
 import { Saturation } from './saturation.ts';
 
@@ -16,6 +17,8 @@ export interface Actuation {
   values(t: number, q: Float64Array, v: Float64Array, out: Float64Array): void;
   /** What is known of the inputs beforehand, for a run that steps by it; null where they are constant or none. */
   readonly plan: InputPlan | null;
+  /** The computer that the controller runs on, whose inputs change only as its run does. */
+  readonly held: HeldControl | null;
 }
 
 /** One input as it goes: open loop, closed loop or both; what does not react to the state has no slopes. */
@@ -27,22 +30,26 @@ type Signal = Pick<Saturation, 'value'> & Partial<Pick<Saturation, 'addSlopes'>>
  * its limit; without one everything is decided anew at every moment.
  *
  * @param feedback an lqr's state feedback by input; its design is no part of a run (`control/feedback.ts`)
+ * @param computer the one to take in place of a new one, so that rows show what acts in the steps
  */
 export function actuationOf(
   scenario: Scenario,
   meta: SystemMeta,
   feedback: ReadonlyMap<string, Feedback> | null = null,
   planned: PlanOptions | null = null,
+  computer: HeldControl | null = null,
 ): Actuation {
   const { control } = scenario;
   if (control?.type === 'lqr' && !feedback)
     throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
   const plan = planned && new InputPlan(planned);
+  const loops = control?.type === 'track' ? trackers(control, meta, plan) : (feedback ?? new Map<string, Feedback>());
+  const held = computer ?? HeldControl.of(control, loops);
+  if (plan) plan.held = held;
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
-    const loop = control?.type === 'track' ? tracking(control, input, meta, plan) : feedback?.get(input.name);
-    const closed = loop ? new Saturation(loop) : null;
-    if (closed?.limited) plan?.saturations.push(closed);
+    const loop = loops.get(input.name);
+    const closed = loop ? closedLoop(input, loop, held, plan) : null;
     const signal = total(openLoop(scenario, input, plan), closed);
     // The named inputs are always there, so that a file of a run with inputs has the same columns for every run.
     if (signal || meta.inputs.includes(input)) parts.push({ input, signal });
@@ -65,9 +72,9 @@ export function actuationOf(
     }
   };
   const n = meta.coordinates.length;
-  const loops = driven.filter((i) => parts[i]!.signal!.addSlopes);
+  const reacting = driven.filter((i) => parts[i]!.signal!.addSlopes);
   forcing.jacobians = (t, q, v, forceQ, forceV) => {
-    for (const i of loops) {
+    for (const i of reacting) {
       const column = columns[i]!;
       for (let k = 0; k < column.length; k++) {
         parts[i]!.signal!.addSlopes!(t, q, v, column[k]!.weight, column[k]!.index * n, forceQ, forceV);
@@ -79,14 +86,27 @@ export function actuationOf(
     forcing: driven.length > 0 ? forcing : null,
     values,
     plan: plan?.idle === false ? plan : null,
+    held,
   };
+}
+
+function closedLoop(input: InputMeta, loop: Feedback, held: HeldControl | null, plan: InputPlan | null): Signal {
+  if (held) {
+    const index = held.indexOf(input.name);
+    return { value: () => held.value(index) };
+  }
+  const closed = new Saturation(loop);
+  if (closed.limited) plan?.saturations.push(closed);
+  return closed;
 }
 
 /** An open-loop signal adds to what the controller asks, and reacts to nothing. */
 function total(open: Signal | null, closed: Signal | null): Signal | null {
   if (!open || !closed) return open ?? closed;
+  const value: Signal['value'] = (t, q, v) => open.value(t, q, v) + closed.value(t, q, v);
+  if (!closed.addSlopes) return { value };
   return {
-    value: (t, q, v) => open.value(t, q, v) + closed.value(t, q, v),
+    value,
     addSlopes: (t, q, v, weight, row, forceQ, forceV) => closed.addSlopes?.(t, q, v, weight, row, forceQ, forceV),
   };
 }
@@ -97,6 +117,14 @@ function openLoop(scenario: Scenario, input: InputMeta, plan: InputPlan | null):
   const expression = compileExpression(text, { variables: ['t'] });
   plan?.add(expression, input.name, false);
   return { value: (t) => expression.evaluate(t) };
+}
+
+function trackers(control: TrackControl, meta: SystemMeta, plan: InputPlan | null): Map<string, Feedback> {
+  const found = inputsOf(meta).flatMap((input): [string, Feedback][] => {
+    const feedback = tracking(control, input, meta, plan);
+    return feedback ? [[input.name, feedback]] : [];
+  });
+  return new Map(found);
 }
 
 /** PD on what the input tracks: -kp (sum q - r) - kd (sum v - r_dot). */

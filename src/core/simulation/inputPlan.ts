@@ -1,5 +1,6 @@
 import type { CompiledExpression } from '../scenario/expressions.ts';
 import { Schedule, type ScheduleOptions } from '../scenario/expressions/schedule.ts';
+import type { HeldControl } from './heldControl.ts';
 import type { Saturation } from './saturation.ts';
 
 /** A part of a formula's largest size that may go unseen, beside the relative tolerance; rounding sets the least. */
@@ -29,6 +30,8 @@ export interface PlanOptions {
  */
 export class InputPlan {
   readonly saturations: Saturation[] = [];
+  /** A controller that a computer runs. */
+  held: HeldControl | null = null;
   private readonly schedules: { schedule: Schedule; name: string }[] = [];
   private readonly options: Omit<ScheduleOptions, 'withRate'>;
 
@@ -44,12 +47,12 @@ export class InputPlan {
 
   /** Nothing is to be planned for. */
   get idle(): boolean {
-    return this.schedules.length === 0 && this.saturations.length === 0;
+    return this.schedules.length === 0 && this.saturations.length === 0 && !this.held;
   }
 
   /** No step may go beyond it, s. */
   get end(): number {
-    let end = Infinity;
+    let end = this.held?.end ?? Infinity;
     for (const { schedule } of this.schedules) end = Math.min(end, schedule.end);
     return end;
   }
@@ -61,14 +64,16 @@ export class InputPlan {
     return bound;
   }
 
-  /** A step ended at t: from now on what has switched there is on its other side. Whether any input jumps. */
-  arrive(t: number): boolean {
+  /** A step ended at t in this state: from now on what has switched there is on its other side. Whether any input jumps. */
+  arrive(t: number, q: Float64Array, v: Float64Array): boolean {
     let jumps = false;
     for (const { schedule } of this.schedules) {
       if (schedule.end > t) continue;
       schedule.begin(t);
       jumps ||= schedule.jumps;
     }
+    // After the references, of which it may measure the other side.
+    if (this.held?.isDue(t)) jumps = this.held.arrive(t, q, v) || jumps;
     return jumps;
   }
 

@@ -162,7 +162,9 @@ export class Simulation {
     const startTime = from?.time ?? 0;
     this.actuation = actuationOf(scenario, meta, feedback);
     const planned = { from: startTime, until: scenario.duration, quiet: unseenAt(scenario.method.rtol) };
-    const stepped = this.actuation.forcing ? actuationOf(scenario, meta, feedback, planned) : this.actuation;
+    const stepped = this.actuation.forcing
+      ? actuationOf(scenario, meta, feedback, planned, this.actuation.held)
+      : this.actuation;
     this.plan = stepped.plan;
     const start = from
       ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
@@ -291,6 +293,7 @@ export class Simulation {
     stepper.reset(time, sample);
     this.sampleQ.set(q);
     this.sampleV.set(v);
+    this.plan?.held?.begin(time, q, v);
     this.emit(time);
     for (const saturation of this.plan?.saturations ?? []) saturation.decide(time, q, v);
     this.events.forEach((event, i) => {
@@ -360,7 +363,7 @@ export class Simulation {
     const { stepper, turning, endQ, endV } = this;
     const { t } = stepper;
     let jumps = false;
-    if (t >= plan.end) jumps = plan.arrive(t);
+    if (t >= plan.end) jumps = plan.arrive(t, endQ, endV);
     if (turning && t >= turning.time) {
       turning.saturation.turn(t, endQ, endV);
       this.turning = null;

@@ -1,4 +1,4 @@
-import { lqrOf } from './scenarioControl.ts';
+import { lqrOf, sampledDesignOf } from './scenarioControl.ts';
 import { scheduledFeedbackOf } from './scheduledFeedback.ts';
 import type { Feedback } from '../../mechanics/forcing.ts';
 import type { Scenario } from '../../scenario/types.ts';
@@ -14,9 +14,17 @@ export class StateFeedback implements Feedback {
   private readonly q0: Float64Array;
   private readonly v0: Float64Array;
   readonly limit: number;
+  readonly past: Float64Array;
 
-  /** @param gain the input's row of K, 2n */
-  constructor(gain: ArrayLike<number>, q0: Float64Array, v0: Float64Array, limit: number) {
+  /** @param gain the input's row of K, 2n @param past its row of the gain on past inputs (see `Feedback`) */
+  constructor(
+    gain: ArrayLike<number>,
+    q0: Float64Array,
+    v0: Float64Array,
+    limit: number,
+    past: ArrayLike<number> = [],
+  ) {
+    this.past = Float64Array.from(past);
     const n = q0.length;
     this.gainQ = Float64Array.from({ length: n }, (_, i) => gain[i]!);
     this.gainV = Float64Array.from({ length: n }, (_, i) => gain[n + i]!);
@@ -57,13 +65,16 @@ export class StateFeedback implements Feedback {
 export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
   if (scenario.control?.type !== 'lqr') return null;
   if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);
-  const { linearization, gain } = lqrOf(scenario, system);
+  const design = lqrOf(scenario, system);
+  const { linearization } = design;
+  const sampled = scenario.control.design === 'sampled' ? sampledDesignOf(scenario, design) : null;
+  const { gain } = sampled ?? design;
   const { q, v } = linearization.motion;
   const limits = scenario.control.limits ?? {};
   return new Map(
     linearization.inputs.map((name, k) => [
       name,
-      new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity)),
+      new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity), sampled?.inputGain.getRow(k)),
     ]),
   );
 }

@@ -3,6 +3,7 @@ import { ScenarioError, type LqrControl, type Scenario } from '../../scenario/ty
 import type { InputMeta, System, SystemMeta } from '../../model/system.ts';
 import { designLqr, type LqrDesign, type Weights } from './lqr.ts';
 import { located, preparedPlant, type PreparedPlant } from '../linearization/preparedPlant.ts';
+import { heldDesign, sampledLqr, type SampledDesign } from '../sampled/sampledLqr.ts';
 import type { Plant, SteadyMotion } from '../linearization/steadyMotion.ts';
 
 /** What a scenario says about its plant, its operating point and its controller, as the control code takes it. */
@@ -62,4 +63,16 @@ export function lqrOf(scenario: Scenario, system: System): LqrDesign {
   if (control?.type !== 'lqr') throw new ScenarioError('control', 'must be of type "lqr"');
   const prepared = preparedOf(scenario, system);
   return located('control', () => designLqr(prepared.plant, weightsOf(control, system.meta)));
+}
+
+/**
+ * A scenario's regulator as its computer runs it; null where it has no `control.sample`.
+ * @throws ScenarioError at `control` where there is no sampled design
+ */
+export function sampledDesignOf({ control }: Scenario, design: LqrDesign): SampledDesign | null {
+  if (control?.type !== 'lqr' || !control.sample) return null;
+  const { sample, delay = 0 } = control;
+  return located('control', () =>
+    control.design === 'sampled' ? sampledLqr(design, sample, delay) : heldDesign(design, sample, delay),
+  );
 }

@@ -52,7 +52,7 @@ const COMPUTE_WORKER = /[\\/]assets[\\/]worker-[^\\/]+\.js$/;
 /** The Content-Security-Policy that the page itself names. */
 function policyOf(folder, file) {
   try {
-    const policy = /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(
+    const policy = /http-equiv="Content-Security-Policy"\s+content="([^"]+)"/.exec(
       readFileSync(join(folder, 'index.html'), 'utf8'),
     );
     if (!policy) return {};

@@ -1,7 +1,19 @@
 import tseslint from 'typescript-eslint';
 
 export default tseslint.config(
-  { ignores: ['dist/', '.cache/', 'node_modules/', 'public/', '**/*.generated.ts', 'derivation/', 'test-results/'] },
+  {
+    ignores: [
+      'dist/',
+      '.cache/',
+      'node_modules/',
+      'public/',
+      '**/*.generated.ts',
+      'derivation/',
+      'test-results/',
+      'site/',
+      'coverage/',
+    ],
+  },
   tseslint.configs.recommended,
   {
     rules: {

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { StartError } from '../core/mechanics/consistentStart.ts';
 import { cases } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
+import { computerReport } from '../core/control/sampled/computerReport.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
 import { systems } from '../core/systems/all.ts';
@@ -91,7 +92,8 @@ async function main(args: readonly string[]): Promise<number> {
     }
     case 'linearize': {
       const { scenario } = readScenario(rest[0]);
-      print(controlReport(scenario, systems[scenario.system]!));
+      const system = systems[scenario.system]!;
+      print({ ...controlReport(scenario, system), ...computerReport(scenario, system) });
       return 0;
     }
     case 'read':

@@ -26,7 +26,7 @@ export function checkComputer(
   limits: Readonly<Record<string, number>>,
 ): Computer {
   for (const key of ['sensors', 'process', 'seed'] as const)
-    if (control.has(key)) c.add(`control.${key}`, `is not carried out: ${NOT_YET[key]}; leave it out`);
+    if (control.get(key) !== undefined) c.add(`control.${key}`, `is not carried out: ${NOT_YET[key]}; leave it out`);
   const sample = numberOf(c, control, 'sample', MOST_SAMPLE);
   const delay = numberOf(c, control, 'delay', MOST_DELAY);
   const design =
@@ -40,10 +40,10 @@ export function checkComputer(
   if (!sample) {
     if (delay) needsSample('delay');
     if (design === 'sampled') needsSample('design');
-    if (control.has('actuators')) needsSample('actuators');
+    if (control.get('actuators') !== undefined) needsSample('actuators');
     return {};
   }
-  if (design === 'sampled' && control.has('schedule'))
+  if (design === 'sampled' && control.get('schedule') !== undefined)
     c.add(
       'control.design',
       'must be "continuous" with a schedule, whose gains are designed so; or leave the schedule out',
@@ -54,7 +54,9 @@ export function checkComputer(
     sample,
     ...(delay ? { delay } : {}),
     ...(design === 'sampled' ? { design } : {}),
-    ...(control.has('actuators') ? { actuators: checkActuators(c, control.get('actuators'), inputs, limits) } : {}),
+    ...(control.get('actuators') !== undefined
+      ? { actuators: checkActuators(c, control.get('actuators'), inputs, limits) }
+      : {}),
   };
 }
 

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
 import { controlReport, type ControlReport } from '../../../src/core/control/design/report.ts';
+import { computerReport } from '../../../src/core/control/sampled/computerReport.ts';
 import { systems } from '../../../src/core/systems/all.ts';
 import { scenarioOf } from '../../helpers.ts';
 
@@ -35,6 +36,46 @@ describe('the report', () => {
   });
 });
 
+describe('what a computer needs', () => {
+  const of = (control: object | null, system = 'ripstik') =>
+    computerReport(scenarioOf({ version: 1, system, ...(control ? { control } : {}) }), systems[system]!);
+
+  test('is in the margins, as JSON has them', () => {
+    const report = of(balanced.control);
+    expect(Math.abs(report.margins!.sampleTime! / 0.001749 - 1)).toBeLessThan(2e-3);
+    expect(Math.abs(report.margins!.delay! / 0.001365 - 1)).toBeLessThan(2e-3);
+    expect(report.margins!.gain['tau_fc']![1]).toBe(null);
+    expect(report.sampled).toBe(null);
+    expect(JSON.parse(JSON.stringify(report))).toEqual(report);
+  });
+
+  test.each([
+    [0.0017, 0, true],
+    [0.0018, 0, false],
+    [0.0001, 0.0013, true],
+    [0.0001, 0.0014, false],
+  ])('a sample time of %d s with a delay of %d s: stable %s', (sample, delay, stable) => {
+    const { sampled } = of({ ...balanced.control, sample, delay });
+    expect(sampled!.spectralRadius < 1).toBe(stable);
+    expect(sampled!.riccatiResidual).toBe(null);
+  });
+
+  test('a sampled design is stable where the continuous one is not', () => {
+    const { sampled } = of({ ...balanced.control, sample: 0.005, delay: 0.005, design: 'sampled' });
+    expect(sampled!.spectralRadius).toBeLessThan(1);
+    expect(sampled!.riccatiResidual).toBeLessThan(1e-8);
+    expect(sampled!.moduli[0]).toBe(sampled!.spectralRadius);
+    expect([sampled!.A.length, sampled!.B[0]!.length, sampled!.K.length]).toEqual([sampled!.moduli.length, 2, 2]);
+  });
+
+  test('is nothing without a regulator, and finite for every system that has one', () => {
+    expect(of(null)).toEqual({ margins: null, sampled: null });
+    const pendulum = of({ type: 'lqr', inputs: ['tau_phi'] }, 'wheel-pendulum');
+    expect(pendulum.margins!.sampleTime).toBeGreaterThan(0);
+    expect(pendulum.margins!.delay).toBeGreaterThan(0);
+  });
+});
+
 describe('the command line', () => {
   const folder = mkdtempSync(join(tmpdir(), 'linearize-'));
   afterAll(() => rmSync(folder, { recursive: true }));
@@ -47,7 +88,8 @@ describe('the command line', () => {
   test('linearize prints the report as JSON', () => {
     const [node, args] = call({ version: 1, system: 'ripstik', ...balanced });
     const printed = JSON.parse(execFileSync(node, args, { encoding: 'utf8' })) as ControlReport;
-    expect(printed).toEqual(reportOf(balanced));
+    const scenario = scenarioOf({ version: 1, system: 'ripstik', ...balanced });
+    expect(printed).toEqual({ ...reportOf(balanced), ...computerReport(scenario, systems['ripstik']!) });
   });
 
   test.each([

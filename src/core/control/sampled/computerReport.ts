@@ -1,0 +1,71 @@
+import type { Scenario } from '../../scenario/types.ts';
+import type { System } from '../../model/system.ts';
+import { lqrOf, sampledDesignOf } from '../design/scenarioControl.ts';
+import { modulus } from '../linearization/spectrum.ts';
+import { marginsOf, type Margins } from '../margins.ts';
+
+/** `Margins` as JSON has them: null where there is no bound (Infinity). */
+export interface MarginsReport {
+  /** s */
+  delay: number | null;
+  /** s */
+  sampleTime: number | null;
+  /** By input: factors, down and up. */
+  gain: Record<string, [number, number | null]>;
+  /** By input, rad. */
+  phase: Record<string, number | null>;
+  disc: number;
+}
+
+/** `x_{k+1} = A x_k + B u_k`, `u_k = -K x_k` on the reachable, seen quotient and the inputs on their way. */
+export interface SampledReport {
+  A: number[][];
+  B: number[][];
+  K: number[][];
+  /** Of the closed loop's eigenvalues, descending. */
+  moduli: number[];
+  spectralRadius: number;
+  /** Null where the gain is the continuous one. */
+  riccatiResidual: number | null;
+}
+
+/** What running a scenario's regulator on a computer takes, and what comes of the one that it names. */
+export interface ComputerReport {
+  /** Of the continuous gain, on the modes that its design placed; null without an lqr, or where there are none. */
+  margins: MarginsReport | null;
+  /** Null without `control.sample`. */
+  sampled: SampledReport | null;
+}
+
+/** @throws ScenarioError where the design can't be had */
+export function computerReport(scenario: Scenario, system: System): ComputerReport {
+  if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null };
+  const design = lqrOf(scenario, system);
+  const { A, B } = design.quotient;
+  const sampled = sampledDesignOf(scenario, design);
+  return {
+    margins: A.rows > 0 ? plain(marginsOf({ A, B, K: design.riccati.gain }, design.linearization.inputs)) : null,
+    sampled: sampled && {
+      A: sampled.A.to2DArray(),
+      B: sampled.B.to2DArray(),
+      K: sampled.K.to2DArray(),
+      moduli: sampled.closedLoop.map(modulus),
+      spectralRadius: sampled.spectralRadius,
+      riccatiResidual: sampled.riccatiResidual,
+    },
+  };
+}
+
+const bounded = (x: number): number | null => (x < Infinity ? x : null);
+
+function plain({ delay, sampleTime, gain, phase, disc }: Margins): MarginsReport {
+  const byInput = <T, R>(record: Record<string, T>, make: (value: T) => R): Record<string, R> =>
+    Object.fromEntries(Object.entries(record).map(([name, value]) => [name, make(value)]));
+  return {
+    delay: bounded(delay),
+    sampleTime: bounded(sampleTime),
+    gain: byInput(gain, ([down, up]): [number, number | null] => [down, bounded(up)]),
+    phase: byInput(phase, bounded),
+    disc,
+  };
+}

@@ -7,11 +7,12 @@ import sys
 import time
 from pathlib import Path
 
-from . import (bicycle, cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, rolling_wheel, stiff_decay,
+from . import (bicycle, cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, ripstik_rider, rolling_wheel, stiff_decay,
                wheel_pendulum)
 
 SYSTEMS = {
     "ripstik": ripstik,
+    "ripstik-rider": ripstik_rider,
     "stiff-decay": stiff_decay,
     "caster-rotation": caster_rotation,
     "cart-pendulum": cart_pendulum,

@@ -28,6 +28,7 @@ const ends: Readonly<Record<string, Readonly<Record<string, readonly [value: num
   scheduled: { X_dot: [4.101, 1e-3], alpha_fp: [0, 1e-4], theta_fc: [0, 1e-4] },
   circle: { X: [1.43666, 1e-3], Y: [-3.45009, 1e-3], theta: [-14.95352, 1e-3] },
   turning: { X: [15.0041, 1e-3], Y: [3.7102, 1e-3] },
+  'rider-balanced': { X: [9.68468, 1e-3], Y: [-2.59213, 1e-3], beta: [0.000196, 1e-5] },
   'cart-pendulum': { X: [0.252355, 1e-5], theta: [-3.570098, 1e-5] },
   'cart-pendulum-lqr': { X: [0, 1e-3], theta: [Math.PI / 2, 1e-4] },
   'bicycle-stable': { roll: [-0.000523, 1e-5], y: [-8.08767, 1e-3] },

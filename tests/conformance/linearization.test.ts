@@ -16,6 +16,7 @@ const points: Record<string, Record<string, number | string>[]> = {
   'wheel-pendulum': [{}, { psi: '90 deg' }, { phi_dot: 2, X_dot: 1 }],
   'casterboard-robot': [{}, { theta: 0.7 }],
   bicycle: [{ speed: 0 }, { speed: 3 }, { speed: 5 }],
+  'ripstik-rider': [{}, { X_dot: 1 }, { X_dot: 5 }],
   'chaplygin-sleigh': [{}, { x_dot: 1 }],
 };
 
@@ -31,7 +32,9 @@ describe.each(Object.keys(systems))('%s', (id) => {
       const scenario = scenarioAt(at);
       const motion = operatingPoint(scenario, system);
       const orders = compareOrders(motion, linearizedInputs(scenario, system.meta));
-      expect(orders.difference).toBeLessThan(1e-10);
+      const largest = orders.eliminateFirst.tangentA.clone().abs().max();
+      // Stiff ankles make entries of 1e5, with rounding in proportion.
+      expect(orders.difference).toBeLessThan(largest > 1e4 ? 2e-12 * largest : 1e-10);
       if (motion.lambda.every((x) => Math.abs(x) < 1e-12) && motion.moving.length === 0)
         expect(orders.frozenDifference).toBeLessThan(1e-10);
       const report = controlReport(scenario, system);

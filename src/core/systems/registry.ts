@@ -15,6 +15,7 @@ import { casterboardRobot } from './casterboard-robot/index.ts';
 import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
 import type { SystemFolder } from './folder.ts';
 import { ripstik } from './ripstik/index.ts';
+import { ripstikRider } from './ripstik-rider/index.ts';
 import { rollingWheel } from './rolling-wheel/index.ts';
 import { stiffDecay } from './stiff-decay/index.ts';
 import { wheelPendulum } from './wheel-pendulum/index.ts';
@@ -22,6 +23,7 @@ import { wheelPendulum } from './wheel-pendulum/index.ts';
 /** In the order of the lists of systems and of cases; the page opens with the first case of the first. */
 const registered: readonly SystemFolder[] = [
   ripstik,
+  ripstikRider,
   casterRotation,
   cartPendulum,
   rollingWheel,

@@ -1,0 +1,89 @@
+import { type Sketch, sizeOf, type Value } from '../../geometry/drawing.ts';
+import { ball, tube } from '../../geometry/solids.ts';
+import type { Triangle } from '../../geometry/shapes.ts';
+import type { Vec3 } from '../../geometry/vectors.ts';
+import type { Part } from '../../geometry/wavefront.ts';
+import { draw as drawBoard } from '../ripstik/drawing.ts';
+
+/** The board, and on it a rider whose soles stand on the plates where ankles and lean are at zero. */
+export function draw(p: Value): Sketch {
+  const board = drawBoard(p);
+  return {
+    ...board,
+    bodies: {
+      ...board.bodies,
+      rider: {
+        about: 'Rider: origin at the centre of mass, x forward along the board, z up along the body.',
+        parts: riderParts(sizeOf(p('riderHeight', 0.9)), sizeOf(p('plateOffset', 0.26)), sizeOf(p('plateThickness'))),
+      },
+    },
+  };
+}
+
+const both = (make: (side: 1 | -1) => Triangle[]): Triangle[] => [...make(1), ...make(-1)];
+
+/** Height of the centre of mass over the soles (m) at which the measures below are in metres. */
+const MEASURED_AT = 0.875;
+
+/**
+ * A figure of tubes and balls that stands sideways, left foot ahead and chest to the right, and looks ahead.
+ *
+ * @param height of the centre of mass above the rod's centre (m)
+ * @param stance from the middle to each foot (m)
+ * @param thickness of the plates (m)
+ */
+function riderParts(height: number, stance: number, thickness: number): Part[] {
+  const sole = thickness / 2 - height;
+  const k = Math.max(-sole, 0.1 * height) / MEASURED_AT;
+  /** Point with y to the back of the body and z above the soles, as measured. */
+  const at = (x: number, y: number, z: number): Vec3 => [k * x, k * y, sole + k * z];
+  const ahead = (side: number, share: number): number => (side * share * stance) / k;
+  const limb = (points: readonly Vec3[], from: number, to: number): Triangle[] =>
+    points.slice(1).flatMap((point, i) => {
+      const thick = (j: number): number => k * (from + ((to - from) * j) / (points.length - 1));
+      return [...tube(points[i]!, point, thick(i), 12, thick(i + 1)), ...ball(point, thick(i + 1), 10)];
+    });
+  const leg = (side: 1 | -1): Triangle[] => {
+    const hip = at(0.09 * side, 0.09, 0.79);
+    return [
+      ...ball(hip, k * 0.085, 12),
+      ...limb([hip, at(ahead(side, 0.92), -0.13, 0.43), at(ahead(side, 1), 0.03, 0.09)], 0.082, 0.045),
+    ];
+  };
+  const foot = (side: 1 | -1): Triangle[] => {
+    const [heel, toe] = [at(ahead(side, 1), 0.06, 0.042), at(ahead(side, 1), -0.11, 0.034)];
+    return [...tube(heel, toe, k * 0.042, 16, k * 0.034), ...ball(heel, k * 0.042, 10), ...ball(toe, k * 0.034, 10)];
+  };
+  const arm = (side: 1 | -1): Triangle[] => {
+    const shoulder = at(0.18 * side, -0.02, 1.27);
+    return [
+      ...ball(shoulder, k * 0.062, 12),
+      ...limb([shoulder, at(0.4 * side, 0, 1.08), at(0.6 * side, -0.12, 1.1)], 0.055, 0.034),
+    ];
+  };
+  const [pelvis, chest] = [at(0, 0.08, 0.84), at(0, -0.01, 1.2)];
+  return [
+    {
+      group: 'rider',
+      material: 'cloth',
+      triangles: [
+        ...tube(pelvis, chest, k * 0.115, 22, k * 0.14),
+        ...ball(pelvis, k * 0.125, 18),
+        ...ball(chest, k * 0.145, 18),
+        ...tube(at(-0.16, -0.02, 1.265), at(0.16, -0.02, 1.265), k * 0.065, 16),
+        ...both(leg),
+        ...both(arm),
+      ],
+    },
+    { group: 'shoes', material: 'grip', triangles: both(foot) },
+    {
+      group: 'head',
+      material: 'paint',
+      triangles: [
+        ...tube(at(0, -0.02, 1.28), at(0.01, -0.04, 1.42), k * 0.05),
+        ...ball(at(0.015, -0.045, 1.5), k * 0.108, 20),
+        ...ball(at(0.122, -0.05, 1.49), k * 0.02, 8),
+      ],
+    },
+  ];
+}

@@ -1,4 +1,5 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
 import type { ControlCalls } from '../services/controlTypes.ts';
@@ -6,8 +7,10 @@ import { answerOf, checked, type Answer, type Metas } from './answer.ts';
 
 interface Question {
   asker: string;
-  scenario: Scenario;
-  resolve(answer: Answer<ControlAnalysis> | null): void;
+  /** Has it computed; settles once the worker is free. */
+  compute(): Promise<void>;
+  /** A newer question took its place. */
+  drop(): void;
 }
 
 /**
@@ -32,26 +35,41 @@ export class ControlClient {
    * @returns null where a newer question of the same asker took its place
    */
   analyse(file: ScenarioFile, asker: string): Promise<Answer<ControlAnalysis> | null> {
+    return this.ask(file, asker, (scenario) => this.worker.call('control.analyse', scenario).result);
+  }
+
+  /** Margins of its regulator and its sampled loop; takes longer. As `analyse`, of which its askers are apart. */
+  computer(file: ScenarioFile, asker: string): Promise<Answer<ComputerReport> | null> {
+    return this.ask(file, asker, (scenario) => this.worker.call('control.computer', scenario).result);
+  }
+
+  private ask<T>(
+    file: ScenarioFile,
+    asker: string,
+    call: (scenario: Scenario) => Promise<T>,
+  ): Promise<Answer<T> | null> {
     this.forget(asker);
     const scenario = checked(file, this.metas);
     if (!scenario.ok) return Promise.resolve(scenario);
     return new Promise((resolve) => {
-      this.waiting.set(asker, { asker, scenario: scenario.value, resolve });
+      const compute = async (): Promise<void> =>
+        resolve(await answerOf(call(scenario.value), 'change something to try again'));
+      this.waiting.set(asker, { asker, compute, drop: () => resolve(null) });
       this.proceed();
     });
   }
 
   /** Makes an asker's open questions void. */
   forget(asker: string): void {
-    this.waiting.get(asker)?.resolve(null);
+    this.waiting.get(asker)?.drop();
     this.waiting.delete(asker);
-    if (this.current?.asker === asker) this.current.resolve(null);
+    if (this.current?.asker === asker) this.current.drop();
   }
 
   /** Ends the worker; open questions are void. */
   close(): void {
-    this.current?.resolve(null);
-    for (const question of this.waiting.values()) question.resolve(null);
+    this.current?.drop();
+    for (const question of this.waiting.values()) question.drop();
     this.waiting.clear();
     this.current = null;
     this.worker.close();
@@ -64,9 +82,7 @@ export class ControlClient {
     const [asker, question] = first;
     this.waiting.delete(asker);
     this.current = question;
-    const { result } = this.worker.call('control.analyse', question.scenario);
-    void answerOf(result, 'change something to try again').then((answer) => {
-      question.resolve(answer);
+    void question.compute().then(() => {
       if (this.current !== question) return;
       this.current = null;
       this.proceed();

@@ -10,6 +10,13 @@ export const calls: Handlers<ControlCalls> = {
     const [{ analyse }, system] = await Promise.all([import('../../core/control/analysis.ts'), systemOf(scenario)]);
     return analyse(scenario, system);
   },
+  async 'control.computer'(scenario) {
+    const [{ computerReport }, system] = await Promise.all([
+      import('../../core/control/sampled/computerReport.ts'),
+      systemOf(scenario),
+    ]);
+    return computerReport(scenario, system);
+  },
   async 'control.locus'({ scenario, request }, { emit }) {
     const [{ scenarioLocus }, system] = await Promise.all([
       import('../../core/control/locus/scenarioLocus.ts'),

@@ -1,4 +1,5 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -6,6 +7,8 @@ import type { Call } from '../remote/protocol.ts';
 export interface ControlCalls {
   /** Linearization, modes and, with an lqr, the gain of a scenario. */
   'control.analyse': Call<Scenario, ControlAnalysis>;
+  /** What it takes to run its regulator on a computer, and what comes of the one that it names. */
+  'control.computer': Call<Scenario, ComputerReport>;
   /** Eigenvalues along a range; tells its share (0 to 1). It does not look at its mailbox: end its worker to cancel it. */
   'control.locus': Call<{ scenario: Scenario; request: LocusRequest }, ScenarioLocus, number>;
 }

@@ -6,13 +6,13 @@ export type NumberOrExpression = number | string;
 /** The computer that runs a controller; without `sample` there is none and the controller acts continuously. */
 export interface Computer {
   /** It measures at k * sample and holds its inputs in between, s. */
-  sample?: number;
+  sample?: number | undefined;
   /** From a measurement to when its inputs act, s; of any length. */
-  delay?: number;
+  delay?: number | undefined;
   /** `continuous` (default): the continuous regulator's gain, held; `sampled`: the least cost among held inputs. */
-  design?: 'continuous' | 'sampled';
+  design?: 'continuous' | 'sampled' | undefined;
   /** By input. */
-  actuators?: Record<string, Actuator>;
+  actuators?: Record<string, Actuator> | undefined;
 }
 
 /** What a motor makes of what is asked: at most `limit`, changing by at most `rate` (per s), in steps of `resolution`. */

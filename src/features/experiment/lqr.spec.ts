@@ -76,3 +76,16 @@ test('a weight is changed while the board rides: the readout follows, the motion
   await expect(page.getByText('name at least one input').first()).toBeVisible();
   expect(watch.errors).toEqual([]);
 });
+
+test('a computer that is too slow for the weights is called so where it is chosen', async ({ page }) => {
+  await openPage(page);
+  await chooseCase(page, 'balanced');
+  await page.locator('summary', { hasText: 'Control' }).first().click();
+  const computer = page.getByTestId('lqr-computer');
+  await expect(computer).toContainText('needs a computer faster than 572 Hz; delay at most 1.37 ms');
+  await page.getByTestId('lqr-sample').fill('0.005');
+  await page.getByTestId('lqr-sample').press('Enter');
+  await expect(computer).toContainText('the loop is unstable');
+  await page.getByTestId('lqr-design').selectOption('sampled');
+  await expect(computer).toContainText('the loop is stable');
+});

@@ -7,6 +7,7 @@ import { edit, useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+import { ComputerFields } from './lqrComputer.tsx';
 import { LqrReadout } from './lqrReadout.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
@@ -85,6 +86,7 @@ export function LqrPanel({ control }: { control: LqrControl }) {
         </button>
       </div>
       <Weights control={control} meta={meta} change={change} />
+      <ComputerFields control={control} change={change} />
       <LqrReadout />
     </div>
   );
@@ -101,7 +103,12 @@ function InputChoice({ control, meta, change }: Part) {
     const inputs = meta.inputs.map((i) => i.name).filter((n) => (n === name ? on : control.inputs.includes(n)));
     const keep = <T,>(record: Record<string, T> | undefined) =>
       Object.fromEntries(Object.entries(record ?? {}).filter(([n]) => inputs.includes(n)));
-    change({ inputs, R: keep(control.R), limits: keep(control.limits) });
+    change({
+      inputs,
+      R: keep(control.R),
+      limits: keep(control.limits),
+      ...(control.actuators && { actuators: keep(control.actuators) }),
+    });
   };
   return (
     <fieldset class="group">

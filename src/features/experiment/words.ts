@@ -80,6 +80,18 @@ export const lqrWords = {
   residual: 'Riccati residual',
   of: (part: number, whole: number) => `${part} of ${whole}`,
   untouched: (names: string) => `Left as they are, because no input reaches them or no weight sees them: ${names}.`,
+  computer: 'Run by a computer',
+  sample: 'sample time (0: continuous)',
+  delay: 'delay from measurement to input',
+  design: 'Design',
+  designs: { continuous: 'continuous gain, held', sampled: 'for held inputs' },
+  needs: (hertz: string | null, delay: string | null) =>
+    `The continuous gain ${hertz ? `needs a computer faster than ${hertz} Hz` : 'bears any sample time'}; ${
+      delay ? `delay at most ${delay} ms` : 'any delay'
+    }.`,
+  unstable: (radius: string) =>
+    `With this sample time and delay the loop is unstable: a deviation grows ${radius}-fold each sample. Take a shorter sample time or delay, or the design for held inputs.`,
+  stable: 'With this sample time and delay the loop is stable.',
   schedule: 'Over the speed',
   scheduled: 'gains follow the forward speed',
   scheduleEnds: { from: 'v₁', to: 'v₂' },

@@ -1,0 +1,117 @@
+/** The computer that runs the regulator: sample time, delay, design; and what they make of the loop, in words. */
+import { effect, useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
+import type { Answer } from '../../app/app.ts';
+import { MathSymbol } from '../../charts/textView.tsx';
+import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
+import type { LqrControl } from '../../core/scenario/types.ts';
+import { useUi } from '../../ui/context.ts';
+import { formatShort } from '../../ui/kit/format.ts';
+import { NumberField } from '../../ui/kit/numberField.tsx';
+import { numberOf } from '../../ui/kit/useNumberField.ts';
+import { lqrWords as words } from './words.ts';
+
+/** Margins take longer than the gain: they are asked for once the weights rest so long, ms. */
+const REST_MS = 300;
+
+interface Props {
+  control: LqrControl;
+  change(part: Partial<LqrControl>): void;
+}
+
+export function ComputerFields({ control, change }: Props) {
+  const { design, sample } = control;
+  const field = (key: 'sample' | 'delay', symbol: string, commit: (value: number) => void) => (
+    <NumberField
+      symbol={<MathSymbol of={symbol} />}
+      testId={`lqr-${key}`}
+      spec={{
+        path: `control.${key}`,
+        label: words[key],
+        unit: 's',
+        angle: false,
+        numeric: true,
+        min: 0,
+        value: control[key] ?? 0,
+        base: undefined,
+        rest: 0,
+        step: 0.001,
+        commit: (value) => commit(numberOf(value, 0)),
+      }}
+    />
+  );
+  return (
+    <fieldset class="group">
+      <legend>{words.computer}</legend>
+      {field('sample', 'h', (value) =>
+        // Without a sample time nothing of a computer means anything.
+        change(
+          value > 0
+            ? { sample: value }
+            : { sample: undefined, delay: undefined, design: undefined, actuators: undefined },
+        ),
+      )}
+      {sample ? field('delay', 'T', (value) => change({ delay: value })) : null}
+      {sample ? (
+        <label>
+          {words.design}{' '}
+          <select
+            data-testid="lqr-design"
+            value={design ?? 'continuous'}
+            onChange={(event) => change({ design: event.currentTarget.value as 'continuous' | 'sampled' })}
+          >
+            {(['continuous', 'sampled'] as const).map((id) => (
+              <option key={id} value={id}>
+                {words.designs[id]}
+              </option>
+            ))}
+          </select>
+        </label>
+      ) : null}
+      <ComputerReadout />
+    </fieldset>
+  );
+}
+
+function ComputerReadout() {
+  const { app } = useUi();
+  const answer = useSignal<Answer<ComputerReport> | null>(null);
+  useEffect(() => {
+    let timer = 0;
+    const stop = effect(() => {
+      const draft = app.state.draft.value;
+      clearTimeout(timer);
+      if (draft.control?.type !== 'lqr') return;
+      timer = window.setTimeout(() => {
+        void app.control.computer(draft, 'computer').then((found) => {
+          if (found) answer.value = found;
+        });
+      }, REST_MS);
+    });
+    return () => {
+      clearTimeout(timer);
+      stop();
+    };
+  }, []);
+  // What keeps the design from being had stands in the readout above.
+  if (!answer.value?.ok) return null;
+  const { margins, sampled } = answer.value.value;
+  return (
+    <div data-testid="lqr-computer" aria-live="polite">
+      {margins && (
+        <p class="hint">
+          {words.needs(
+            margins.sampleTime === null ? null : formatShort(1 / margins.sampleTime, 3),
+            margins.delay === null ? null : formatShort(1000 * margins.delay, 3),
+          )}
+        </p>
+      )}
+      {sampled && sampled.spectralRadius >= 1 && (
+        <p class="error" role="alert">
+          {words.unstable(formatShort(sampled.spectralRadius, 3))}
+        </p>
+      )}
+      {sampled && sampled.spectralRadius < 1 && <p class="hint">{words.stable}</p>}
+    </div>
+  );
+}

@@ -47,6 +47,32 @@ export const ripstikCases: readonly Case[] = [
     ],
   },
   {
+    id: 'balanced-computer',
+    title: 'Balanced by a computer',
+    source: '',
+    look: 'The same lean, by a computer that samples 200 times a second and answers 5 ms late: a regulator designed for that stands. Under Control choose the continuous gain, and it falls within 0.03 s.',
+    chapter: '3.5',
+    picture: { time: 0.4 },
+    scenario: {
+      version: 1,
+      system: 'ripstik',
+      initial: { X_dot: 1, alpha: '10 deg' },
+      control: {
+        type: 'lqr',
+        inputs: ['tau_fc', 'tau_bc'],
+        at: { X_dot: 1 },
+        sample: 0.005,
+        delay: 0.005,
+        design: 'sampled',
+      },
+      duration: 10,
+    },
+    plots: [
+      { title: 'Roll of rod and plates', x: 't', y: ['alpha', 'alpha_fp', 'alpha_bp'], unit: 'deg' },
+      { title: 'Torque of the motors', x: 't', y: ['tau_fc', 'tau_bc'], unit: 'N·m', to: 1 },
+    ],
+  },
+  {
     id: 'released',
     title: 'Released at 1 m/s',
     source: '',

@@ -139,7 +139,7 @@ class Tapes(unittest.TestCase):
         at = point(model, 12)
         described = ripstik.board(model.q, model.q[3] + model.q[6], model.q[3] + model.q[7])
         skates = [(place, frame.relative_to(described.pitched) * ripstik.AXLE) for place, frame in described.skates]
-        for ours, printed in zip(model.extra_forces[0][1], ripstik.wheel_drag(skates, described.pitched)):
+        for ours, printed in zip(model.extra_forces[0][1], ripstik.wheel_drag(skates, described.pitched, model.q, model.v)):
             self.assertLess(abs(number(ours, at) - number(printed, at)), 1e-15)
 
 

@@ -136,7 +136,8 @@ test('a 60 s run streams in; tasks longer than 50 ms on the main thread are meas
   await page.getByTestId('run').click();
   await ended(page, 3, 'end');
   expect(await numberIn(page, 'end-time')).toBe(60);
-  expect(await numberIn(page, 'time'), 'it has been playing while it came').toBeGreaterThan(0);
+  // A run may end within a frame or two of its start.
+  await expect.poll(() => numberIn(page, 'time'), { message: 'it plays as it comes' }).toBeGreaterThan(0);
 
   const events = (await workerEvents(page)).filter((event) => event.run === 3);
   const [from, to] = [events[0]!.at, events.at(-1)!.at];

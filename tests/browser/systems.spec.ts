@@ -32,14 +32,14 @@ test('every system runs in the page, and its bodies are drawn and move', async (
     expect(moved, `bodies of ${meta.title} that move`).toBeGreaterThan(0);
     expect(await differingPixels(page, before, await picture(page)), `picture of ${meta.title}`).toBeGreaterThan(0);
     await expect(page.getByTestId('toggle-forces')).toHaveCount(contacts.length > 0 ? 1 : 0);
-    await expect(page.getByTestId('view-caster')).toHaveCount(meta.id === 'ripstik' ? 1 : 0);
+    await expect(page.getByTestId('view-caster')).toHaveCount(meta.id.startsWith('ripstik') ? 1 : 0);
   }
   expect(watch.errors).toEqual([]);
 });
 
 test('another system takes nothing of what was edited of the one before', async ({ page }) => {
   await openPage(page);
-  const other = Object.keys(systemViews).find((id) => id !== 'ripstik')!;
+  const other = Object.keys(systemViews).find((id) => !id.startsWith('ripstik'))!;
   await type(page, 'duration', '1.25');
   await page.getByTestId('view-caster').click();
   await page.getByTestId('system').selectOption(other);

@@ -161,11 +161,12 @@ test('bad links say what and where; the page opens with its usual work', async (
   await page.goto('./#v=1&case=nowhere&sum=0');
   await expect(message(page)).toContainText('case: no case is called "nowhere"');
   await motionRun(page, 'end');
-  await says('v=1&case=ridden&dur', /entries read name=value/);
+  await says('v=1&case=ridden&dur&sum=0', /entries read name=value/);
+  await says('v=1&case=ridden&dur', /cut on its way/);
   await says('v=1&case=ridden&duration=2', /cut on its way/);
   await says('v=1&case=ridden&duration=soon&sum=0', /duration: must be a number, not the text "soon"/);
   await says('v=1&case=ridden&__proto__.polluted=1&sum=0', /no name of a scenario/);
-  await says(`v=1&title=${'x'.repeat(20_000)}`, /characters are more than the 16000/);
+  await says(`v=1&title=${'x'.repeat(20_000)}&sum=0`, /characters are more than the 16000/);
   await says('v=1&case=ridden&inputs.tau_fp=%3Cimg+src%3Dx+onerror%3Dalert(1)%3E&sum=0', /inputs\.tau_fp/);
   expect(await page.evaluate(() => ({}) as Record<string, unknown>)).not.toHaveProperty('polluted');
   await motionRun(page, 'end');

@@ -33,6 +33,7 @@ function formulasOf(typeset: Typeset): string[] {
 
 const GREEK: Record<string, string> = {
   α: '\\alpha',
+  β: '\\beta',
   δ: '\\delta',
   θ: '\\theta',
   λ: '\\lambda',

@@ -57,6 +57,8 @@ test('a link opens to the same run, bit for bit, and the work from before stays 
   await expect(page.getByTestId('play')).toHaveAccessibleName('Play');
   const link = await shared(page);
   expect(link).toMatch(/#v=1&case=released&initial\.alpha=%281%2F3%29\+deg&duration=7&tool=analysis&sum=\w+$/);
+  // The file names how far the run is right, once the comparison beside the view has ended.
+  await expect(page.getByTestId('trust')).toBeVisible();
   const before = await exportCsv(page);
 
   // Another visitor of this browser with work of their own.
@@ -64,6 +66,7 @@ test('a link opens to the same run, bit for bit, and the work from before stays 
   await other.goto(link);
   await motionRun(other, 'touchdown');
   await expect(other.getByTestId('tool-panel-analysis')).toBeVisible();
+  await expect(other.getByTestId('trust')).toBeVisible();
   expect((await exportCsv(other)).text).toBe(before.text);
   await expect(message(other)).toContainText('Opened from a link: Released at 1 m/s');
 

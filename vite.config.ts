@@ -10,7 +10,7 @@ const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.
 /** `ripstik` for its equations, `ripstik-accelerations` for their tape, `ripstik-drawing`, `ripstik-typeset`. */
 function nameOf(module: string): string {
   const [, id, part] =
-    /systems\/([\w-]+)\/(equations|accelerations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
+    /systems\/([\w-]+)\/(equations|jacobians|accelerations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
   return id ? (part === 'equations' ? id : `${id}-${part}`) : '[name]';
 }
 
@@ -38,7 +38,7 @@ const developersStyles = {
 const chunks = chunkList();
 
 /** The registry names all that there is of a system; the page draws and typesets it, its workers compute it. */
-const forWorkers = leaveOut('the page', /\/(?:equations\.generated\.ts|accelerations\.generated\.json)$/);
+const forWorkers = leaveOut('the page', /\/(?:(?:equations|jacobians)\.generated\.ts|accelerations\.generated\.json)$/);
 const forPage = leaveOut('a worker', /\/(?:typeset\.generated\.json|drawing\.ts)$/);
 
 export default defineConfig({

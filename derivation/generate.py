@@ -20,7 +20,9 @@ def modules(model: Model, source: str) -> dict:
         programs = Programs(model)
         direct = {"accelerations.generated.ts": programs.text(source), "accelerations.generated.json": programs.program()}
         namespace = ["export * as direct from './accelerations.generated.ts';\n"]
-    return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *Equations(model).texts()]), **direct,
+    values, slopes = Equations(model).texts()
+    return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *values]),
+            "jacobians.generated.ts": "\n".join([head("Jacobians"), *slopes]), **direct,
             "poses.generated.ts": "\n".join([head("Poses"), poses(model)]),
             "typeset.generated.json": typeset.text(model)}
 
@@ -62,10 +64,12 @@ class Equations:
         self.units = []
         # Functions that others call: (name, doc, its arrays, units that it runs, arrays that it empties first).
         self.public = []
-        self.alone = []
+        # Functions that share nothing: values, then slopes.
+        self.alone = ([], [])
         self.heights = []
 
-    def texts(self) -> list:
+    def texts(self):
+        """(texts of the values, texts of their Jacobians), each a module."""
         model = self.model
         self.mechanics()
         self.function("energy", "[kinetic, potential] in J.", ["q", "v", "p"], {"out": (2, self.record.all({0: model.kinetic, 1: model.potential}))})
@@ -79,12 +83,12 @@ class Equations:
             self.constraint_set(constraints)
         return self.written()
 
-    def function(self, name, doc, reads, writes, family=None):
+    def function(self, name, doc, reads, writes, family=None, slope=False):
         """A function of one unit, which shares with others if it has a family; writes {array: (size, values by position)}."""
         outputs = [pair for array, (_, values) in writes.items() for pair in assigned(array, values)]
         sizes = {array: size for array, (size, _) in writes.items()}
         if family is None:
-            self.alone.append(self.writer.function(name, doc, [*reads, *writes], outputs, sizes))
+            self.alone[slope].append(self.writer.function(name, doc, [*reads, *writes], outputs, sizes))
             return None
         unit = self.unit(f"{name}Rest", family, f"What `{name}` does not share.", outputs, sizes)
         self.public.append((name, doc, [*reads, *writes], [unit], ()))
@@ -127,7 +131,7 @@ class Equations:
         derived = self.tape.differentiate(outputs, dict(enumerate(self.by("q")["q"])))
         size = 12 * len(self.model.bodies) * self.n
         self.function("poseJacobian", f"Derivatives of `poses` by q ({12 * len(self.model.bodies)} x {self.n}).", ["q", "p"],
-                      {"out": (size, {i * self.n + k: value for (i, k), value in derived.items() if value.number != 0})})
+                      {"out": (size, {i * self.n + k: value for (i, k), value in derived.items() if value.number != 0})}, slope=True)
 
     def first_order(self):
         n, rate = self.n, self.model.rate
@@ -165,24 +169,31 @@ class Equations:
         self.function(name, "Heights of the contact points above the ground (m).", ["q", "p"],
                       {"out": (len(heights), self.record.all(dict(enumerate(heights))))})
 
-    def written(self) -> list:
-        """Shared functions first, then the units, then the functions that others call."""
+    def written(self):
+        """Shared functions first, then the units, then the functions that others call; Jacobians in a module of their own."""
         shared, loads = share(self.tape, self.units)
         arrays = {}
         whole = {units[0].name: (name, doc, given) for name, doc, given, units, _ in self.public if len(units) == 1 and not units[0].needs}
-        kept = [f"/** What several functions need, from one to the next. */\nconst {KEPT} = new Float64Array({len(loads)});\n"] if loads else []
-        parts = []
+        public, lent = ([], []), set()
+        for name, doc, given, units, emptied in self.public:
+            slope = units[0].slope
+            needed = {n for unit in units for n in unit.needs}
+            if slope:
+                lent |= {s.name for s in shared if s.name in needed and not s.slope}
+            if not (units[0].name in whole and len(units) == 1):
+                called = [*(s.name for s in shared if s.name in needed), *(unit.name for unit in units)]
+                public[slope].append((name, doc, given, called, emptied))
+        parts = ([], [])
         for part, doc, own in [*((s, "Kept for several functions.", s.loads) for s in shared), *((u, u.doc, loads) for u in self.units)]:
             name, doc, arrays[part.name] = whole.get(part.name, (part.name, doc, self.arrays(part, own)))
-            parts.append(self.writer.function(name, doc, arrays[part.name], part.outputs, part.sizes, own, exported=part.name in whole))
-        public = []
-        for name, doc, given, units, emptied in self.public:
-            if units[0].name in whole and len(units) == 1:
-                continue
-            needed = {n for unit in units for n in unit.needs}
-            called = [*(s.name for s in shared if s.name in needed), *(unit.name for unit in units)]
-            public.append(caller(name, doc, given, [(whole[part][0] if part in whole else part, arrays[part]) for part in called], emptied))
-        return [*kept, *parts, *self.alone, *public]
+            parts[part.slope].append(self.writer.function(name, doc, arrays[part.name], part.outputs, part.sizes, own,
+                                                          exported=part.name in whole or part.name in lent))
+        callers = [[caller(name, doc, given, [(whole[part][0] if part in whole else part, arrays[part]) for part in called], emptied)
+                    for name, doc, given, called, emptied in those] for those in public]
+        kept = [f"/** What several functions need, from one to the next. */\nexport const {KEPT} = new Float64Array({len(loads)});\n"] if loads else []
+        borrowed = sorted({KEPT, *lent} if loads and parts[True] else lent)
+        imported = [f"import {{ {', '.join(borrowed)} }} from './equations.generated.ts';\n"] if borrowed else []
+        return ([*kept, *parts[False], *self.alone[False], *callers[False]], [*imported, *parts[True], *self.alone[True], *callers[True]])
 
     def arrays(self, part, loads) -> list:
         """Those that a part reads, then those that it writes, by name."""

@@ -18,6 +18,8 @@ MOST_OPERATIONS = 2200
 # Fewer are computed again by each: calling and storing would cost as much.
 FEWEST_OPERATIONS = 24
 KEPT = "kept"
+# The places that only Jacobians need come last.
+SLOPES = 2
 # Accelerations and multipliers, which only some Jacobians are taken at.
 GIVEN = ("a", "lambda")
 
@@ -40,6 +42,7 @@ class Shared:
     name: str
     outputs: list
     loads: dict
+    slope: bool  # only Jacobians need it
     sizes: dict = field(default_factory=dict)
 
 
@@ -55,14 +58,14 @@ def share(tape: Tape, units: list):
     groups = []
     for place in sorted(places):
         pieces = _pieces(sorted(places[place])) if len(places[place]) >= FEWEST_OPERATIONS else []
-        groups += [(f"{place[1]}{k if len(pieces) > 1 else ''}", set(piece)) for k, piece in enumerate(pieces)]
-    home = {i: name for name, piece in groups for i in piece}
+        groups += [(f"{place[1]}{k if len(pieces) > 1 else ''}", set(piece), place[0] >= SLOPES) for k, piece in enumerate(pieces)]
+    home = {i: name for name, piece, _ in groups for i in piece}
     wanted = {value.index for unit in units for _, value in unit.outputs if value.index in home}
     for i in users:
         wanted |= {k for k in arguments(tape.ops[i]) if k in home and home.get(i) != home[k]}
     loads = {i: f"{KEPT}[{slot}]!" for slot, i in enumerate(sorted(wanted))}
-    shared = [Shared(name, [(loads[i].rstrip("!"), tape.at(i)) for i in sorted(piece & wanted)], {i: loads[i] for i in wanted - piece})
-              for name, piece in groups]
+    shared = [Shared(name, [(loads[i].rstrip("!"), tape.at(i)) for i in sorted(piece & wanted)], {i: loads[i] for i in wanted - piece}, slope)
+              for name, piece, slope in groups]
     direct = {s.name: _reads(tape, s.outputs, s.loads, home) for s in shared}
     for unit in units:
         needed = _reads(tape, unit.outputs, loads, home)
@@ -98,7 +101,7 @@ def _place(using, given):
     family = using[0].family
     if all(unit.slope for unit in using):
         most = max((GIVEN.index(array) + 1 for array in given), default=0)
-        return (2 + most / 10, f"slopes{('', 'WithA', 'WithLambda')[most]}") if several else (3, f"{family}Slopes")
+        return (SLOPES + most / 10, f"slopes{('', 'WithA', 'WithLambda')[most]}") if several else (SLOPES + 1, f"{family}Slopes")
     return (0, "kinematics") if several else (1, f"{family}Kinematics")
 
 

@@ -11,7 +11,6 @@ const AT_ONCE = [
   'src/compute/worker.ts',
   'src/compute/services/run.ts',
   'src/core/systems/ripstik/equations.generated.ts',
-  'src/core/systems/ripstik/accelerations.generated.json',
   'src/core/geometry/drawings.ts',
   'src/core/systems/ripstik/drawing.ts',
   'src/app/offline.ts',

@@ -128,7 +128,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     stepRows,
     setLoading: fileState.actions.setLoading,
     setMeshes: fileState.actions.setMeshes,
-    start: () => runs.run(!preferences.reducedMotion),
+    start: () => runs.first(!preferences.reducedMotion),
     run: () => runs.run(),
     retune: () => runs.retune(),
     cancel: () => compute.run.cancel(),

@@ -74,13 +74,18 @@ export class Runs {
     settle();
   }
 
+  /** The first run after the page is opened: what is soonest seen counts. */
+  first(autoplay: boolean): void {
+    this.run(autoplay, true);
+  }
+
   /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
-  run(autoplay = true): void {
+  run(autoplay = true, soonest = false): void {
     const draft = this.context.experiment.draft.peek();
     const scenario = this.checked(draft);
     if (!scenario) return;
     this.going = this.stale = false;
-    this.start(scenario, draft, null, autoplay);
+    this.start(scenario, draft, null, autoplay, soonest);
   }
 
   /**
@@ -142,7 +147,13 @@ export class Runs {
     }
   }
 
-  private start(scenario: Scenario, draft: ScenarioFile, onward: Onward | null, autoplay: boolean): void {
+  private start(
+    scenario: Scenario,
+    draft: ScenarioFile,
+    onward: Onward | null,
+    autoplay: boolean,
+    soonest = false,
+  ): void {
     const { stage, experiment, pushing, client, messages } = this.context;
     const origin = experiment.origin.peek();
     const push = onward?.push ?? pushing.push.peek();
@@ -218,6 +229,7 @@ export class Runs {
       },
       onward ? continuationOf(onward, scenario) : undefined,
       push ? { push, horizon: this.horizon() } : undefined,
+      soonest,
     );
   }
 

@@ -27,13 +27,14 @@ export class RunClient {
   /**
    * @param from a row to go on from, in place of a start at t = 0
    * @param live what pushes it from the start; without it the run cannot be pushed
+   * @param soonest begins without what only makes a run faster
    */
-  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation, live?: Live): void {
+  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation, live?: Live, soonest?: boolean): void {
     this.abandon();
     const abort = new AbortController();
     const call = this.worker.call(
       'run.compute',
-      { scenario, from, live },
+      { scenario, from, live, soonest },
       { signal: abort.signal, onEvent: (event) => hear(event, handlers) },
     );
     const current = (this.current = { call, abort });

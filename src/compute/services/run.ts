@@ -1,6 +1,6 @@
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
-import { feedbackFor, systemOf } from './load.ts';
+import { feedbackFor, partsOf, systemOf } from './load.ts';
 import { nextTurn } from './nextTurn.ts';
 import type { Live, RunCalls, RunEvent, RunRequest, RunResult } from './runTypes.ts';
 
@@ -12,10 +12,10 @@ const SEND_MS = 30;
 export const calls: Handlers<RunCalls> = { 'run.compute': compute };
 
 async function compute(
-  { scenario, from, live }: RunRequest,
+  { scenario, from, live, soonest = false }: RunRequest,
   { signal, emit, onUpdate }: Caller<RunEvent, Live>,
 ): Promise<RunResult> {
-  const system = await systemOf(scenario);
+  const system = await systemOf(scenario, partsOf(scenario, live !== undefined, soonest));
   const feedback = await feedbackFor(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
   let seconds = 0;

@@ -15,6 +15,8 @@ export interface RunRequest {
   from?: Continuation | undefined;
   /** What pushes the run from its start; without it the run cannot be pushed. */
   live?: Live | undefined;
+  /** Begins without what only makes a run faster: the bits are the same, the engine may be another. */
+  soonest?: boolean | undefined;
 }
 
 /** What pushes a run, and how far ahead (s) it may be computed; null: to its end. */

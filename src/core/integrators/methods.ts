@@ -7,23 +7,25 @@ export interface MethodInfo {
   label: string;
   /** False for fixed-step methods: tolerances then have no meaning. */
   adaptive: boolean;
+  /** Solves equations at every step, with the Jacobians of the system. */
+  implicit: boolean;
   /** Numbers of stages to choose from; the method has its own default. */
   stages?: readonly number[];
 }
 
 /** Every stepper by its permanent id; the first is the default. */
 export const methods = [
-  { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true },
-  { id: 'dop853', label: 'Dormand–Prince 8(5,3)', adaptive: true },
-  { id: 'tsit5', label: 'Tsitouras 5(4)', adaptive: true },
-  { id: 'bs23', label: 'Bogacki–Shampine 3(2)', adaptive: true },
-  { id: 'euler', label: 'Euler', adaptive: false },
-  { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false },
-  { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false },
-  { id: 'gauss', label: 'Gauss', adaptive: true, stages: [1, 2, 3, 4] },
-  { id: 'radau', label: 'Radau IIA', adaptive: true, stages: [2, 3] },
-  { id: 'bdf', label: 'BDF', adaptive: true },
-  { id: 'ida', label: 'IDA (BDF on the residual)', adaptive: true },
+  { id: 'dopri5', label: 'Dormand–Prince 5(4)', adaptive: true, implicit: false },
+  { id: 'dop853', label: 'Dormand–Prince 8(5,3)', adaptive: true, implicit: false },
+  { id: 'tsit5', label: 'Tsitouras 5(4)', adaptive: true, implicit: false },
+  { id: 'bs23', label: 'Bogacki–Shampine 3(2)', adaptive: true, implicit: false },
+  { id: 'euler', label: 'Euler', adaptive: false, implicit: false },
+  { id: 'rk4', label: 'Runge–Kutta 4', adaptive: false, implicit: false },
+  { id: 'adams-moulton', label: 'Adams–Moulton 2', adaptive: false, implicit: true },
+  { id: 'gauss', label: 'Gauss', adaptive: true, implicit: true, stages: [1, 2, 3, 4] },
+  { id: 'radau', label: 'Radau IIA', adaptive: true, implicit: true, stages: [2, 3] },
+  { id: 'bdf', label: 'BDF', adaptive: true, implicit: true },
+  { id: 'ida', label: 'IDA (BDF on the residual)', adaptive: true, implicit: true },
 ] as const satisfies readonly MethodInfo[];
 
 export type MethodId = (typeof methods)[number]['id'];

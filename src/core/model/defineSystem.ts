@@ -9,12 +9,15 @@ import {
 import type { Tape } from './tape.ts';
 
 /** What the derivation writes for one system, by the names that it gives; `<set>Constraints` and the like are looked up. */
-export interface GeneratedEquations extends Pick<System, 'mechanics' | 'jacobians' | 'energy' | 'poseJacobian'> {
+export interface GeneratedEquations extends Pick<System, 'mechanics' | 'energy'> {
   readonly rate?: NonNullable<System['firstOrder']>['rate'];
   readonly rateJacobian?: NonNullable<System['firstOrder']>['jacobian'];
   /** `accelerations.generated.ts`: `prepare`, `constantCount`, and by constraint set `<id>Accelerations` and the like. */
   readonly direct?: object;
 }
+
+/** `jacobians.generated.ts` of one system: those of the mechanics and, by name, of constraint sets and optional forces. */
+export type GeneratedJacobians = Pick<System, 'jacobians' | 'poseJacobian'>;
 
 type Named = Readonly<Record<string, unknown>>;
 type Force = (q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array) => void;
@@ -33,12 +36,19 @@ type ForceJacobians = (
  * `<name>Force` and `<name>Jacobians` of each optional force.
  *
  * @param view names, poses and tracked points
- * @param equations the module `equations.generated.ts` of the same system
+ * @param values the module `equations.generated.ts` of the same system
+ * @param slopes its `jacobians.generated.ts`; left out, every Jacobian throws when it is asked for, and nothing can be pushed
  * @param tape the same accelerations as data, `accelerations.generated.json`, where there is one
- * @throws Error that names the function which the meta promises and the module lacks
+ * @throws Error that names the function which the meta promises and the modules lack
  */
-export function defineSystem(view: SystemView, equations: GeneratedEquations, tape?: Tape): System {
+export function defineSystem(
+  view: SystemView,
+  values: GeneratedEquations,
+  slopes: GeneratedJacobians | undefined,
+  tape?: Tape,
+): System {
   const { meta } = view;
+  const equations = { ...values, ...(slopes ?? withoutJacobians(view)) };
   const losses = optionalForces(view, equations as unknown as Named);
   const sets = meta.constraintSets.filter((set) => set.rows !== undefined);
   return {
@@ -71,9 +81,18 @@ export function defineSystem(view: SystemView, equations: GeneratedEquations, ta
   };
 }
 
+/** In place of the Jacobians of a run that takes none, so that one that does cannot go wrong in silence. */
+function withoutJacobians({ meta }: SystemView): GeneratedJacobians {
+  const missing = (): never => {
+    throw new Error(`the Jacobians of ${meta.id} were asked for and are not loaded`);
+  };
+  const names = [...meta.constraintSets.map(({ id }) => id), ...(meta.optionalForces ?? [])];
+  return { jacobians: missing, ...Object.fromEntries(names.map((name) => [`${name}Jacobians`, missing])) };
+}
+
 function generated<T>(system: string, equations: Named, name: string): T {
   if (typeof equations[name] !== 'function')
-    throw new Error(`${system}/equations.generated.ts has no function ${name}, which its meta promises`);
+    throw new Error(`${system}'s generated modules have no function ${name}, which its meta promises`);
   return equations[name] as T;
 }
 

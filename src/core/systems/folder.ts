@@ -1,6 +1,6 @@
 import type { Case } from '../cases/case.ts';
 import type { Sketch, Value } from '../geometry/drawing.ts';
-import type { GeneratedEquations } from '../model/defineSystem.ts';
+import type { GeneratedEquations, GeneratedJacobians } from '../model/defineSystem.ts';
 import type { SystemView } from '../model/system.ts';
 
 /** What a system's folder gives to the registry. */
@@ -9,6 +9,8 @@ export interface SystemFolder {
   cases: readonly Case[];
   /** `equations.generated.ts` */
   equations(): Promise<GeneratedEquations>;
+  /** `jacobians.generated.ts` */
+  jacobians(): Promise<GeneratedJacobians>;
   /** `accelerations.generated.json`, where the derivation has written one. */
   tape?(): Promise<{ default: unknown }>;
   /** `typeset.generated.json` */

@@ -46,20 +46,33 @@ export const systemViews: Readonly<Record<string, SystemView>> = Object.fromEntr
 /** Every built-in case. The first one is what the page opens with. */
 export const cases: readonly Case[] = registered.flatMap((folder) => folder.cases);
 
+/** What of a system's equations is loaded. */
+export interface SystemParts {
+  /** Left out, whatever asks for a Jacobian throws: explicit methods without a regulator or a push need none. */
+  jacobians?: boolean;
+  /** The accelerations as data, for WebAssembly. */
+  tape?: boolean;
+}
+
 /**
  * A system with its dynamics.
  *
  * @param id of the system
+ * @param parts everything, where not said
  * @returns undefined where there is none of that name
  */
-export function loadSystem(id: string): Promise<System> | undefined {
+export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  return folder && systemIn(folder);
+  return folder && systemIn(folder, parts);
 }
 
-async function systemIn({ view, equations, tape }: SystemFolder): Promise<System> {
-  const [written, data] = await Promise.all([equations(), tape?.()]);
-  return defineSystem(view, written, data?.default as Tape | undefined);
+async function systemIn(folder: SystemFolder, { jacobians = true, tape = true }: SystemParts): Promise<System> {
+  const [values, slopes, data] = await Promise.all([
+    folder.equations(),
+    jacobians ? folder.jacobians() : undefined,
+    tape ? folder.tape?.() : undefined,
+  ]);
+  return defineSystem(folder.view, values, slopes, data?.default as Tape | undefined);
 }
 
 /**

@@ -28,6 +28,7 @@ describe.each(folders)('%s', (id) => {
     'drawing.ts',
     'index.ts',
     'equations.generated.ts',
+    'jacobians.generated.ts',
     'poses.generated.ts',
     'typeset.generated.json',
   ])('has its %s', (file) => expect(existsSync(resolve(root, id, file))).toBe(true));
@@ -82,7 +83,7 @@ test('the registry brings names, poses and cases along, but no equations, formul
   expect(along).toContain('ripstik/poses.generated.ts');
   expect(along).toContain('ripstik/cases.ts');
   expect(
-    along.filter((path) => /equations\.generated|typeset\.generated|drawing\.ts$|solids|wavefront/.test(path)),
+    along.filter((path) => /(equations|jacobians)\.generated|typeset\.generated|drawing\.ts$|solids|wavefront/.test(path)),
   ).toEqual(['../geometry/drawing.ts']);
 });
 

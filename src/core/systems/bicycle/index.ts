@@ -6,6 +6,7 @@ export const bicycle: SystemFolder = {
   view: bicycleView,
   cases: bicycleCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   tape: () => import('./accelerations.generated.json'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),

@@ -22,24 +22,6 @@ export function mechanics(
   h[1] = -x3 * (m2 * (L * p[3]!));
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const theta = q[1]!;
-  const theta_dot = v[1]!;
-  const m2 = p[1]!;
-  const L = p[2]!;
-  const x0 = Math.sin(theta);
-  const x1 = m2 * L;
-  const x2 = Math.cos(theta);
-  dq.fill(0);
-  dv.fill(0);
-  dq[1] = x0 * (x1 * (theta_dot * theta_dot)) - x2 * (a[1]! * x1);
-  dq[3] = -(x0 * (m2 * (L * p[3]!)) + x2 * (a[0]! * x1));
-  dv[1] = -x2 * (x1 * (theta_dot + theta_dot));
-}
-
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
@@ -53,21 +35,4 @@ export function energy(
   const x2 = theta_dot * theta_dot * (m2 * (L * L)) + (x1 * (p[0]! * 0.5) + x1 * (m2 * 0.5)) - x0 * (theta_dot * (X_dot * (m2 * L)));
   out[0] = x2;
   out[1] = x0 * (m2 * (L * p[3]!));
-}
-
-/** Derivatives of `poses` by q (24 x 2). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta = q[1]!;
-  const x0 = Math.sin(theta);
-  const x1 = Math.cos(theta);
-  const x2 = -x0;
-  out.fill(0);
-  out[0] = 1;
-  out[24] = 1;
-  out[31] = x2;
-  out[35] = -x1;
-  out[43] = x1;
-  out[47] = x2;
 }

@@ -15,16 +15,6 @@ export function mechanics(
   h[0] = x1 * (x0 * (p[5]! * (casterTrail * casterMass)));
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const x0 = Math.sin(p[0]!);
-  const x1 = Math.cos(q[0]!);
-  dv.fill(0);
-  dq[0] = -x0 * (p[5]! * (p[1]! * p[3]!)) * x1;
-}
-
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
@@ -40,27 +30,4 @@ export function energy(
   const x3 = Math.cos(casterAngle);
   out[0] = x2;
   out[1] = (x1 * (casterTrail * x0) - p[2]! * x3) * (casterMass * p[5]!);
-}
-
-/** Derivatives of `poses` by q (12 x 1). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta_c = q[0]!;
-  const casterAngle = p[0]!;
-  const casterTrail = p[1]!;
-  const x0 = Math.sin(casterAngle);
-  const x1 = Math.sin(theta_c);
-  const x2 = Math.cos(theta_c);
-  const x3 = Math.cos(casterAngle);
-  out.fill(0);
-  out[0] = x1 * (casterTrail * x3);
-  out[1] = -casterTrail * x2;
-  out[2] = -x1 * (casterTrail * x0);
-  out[3] = -x1 * x3;
-  out[4] = -x2 * x3;
-  out[6] = x2;
-  out[7] = -x1;
-  out[9] = x0 * x1;
-  out[10] = x0 * x2;
 }

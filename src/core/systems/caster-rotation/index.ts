@@ -6,6 +6,7 @@ export const casterRotation: SystemFolder = {
   view: casterRotationView,
   cases: casterRotationCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),
 };

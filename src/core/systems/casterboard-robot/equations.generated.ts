@@ -5,10 +5,10 @@
 export * as direct from './accelerations.generated.ts';
 
 /** What several functions need, from one to the next. */
-const kept = new Float64Array(97);
+export const kept = new Float64Array(97);
 
 /** Kept for several functions. */
-function mechanicsKinematics(
+export function mechanicsKinematics(
   q: Float64Array, v: Float64Array, p: Float64Array,
 ): void {
   const theta = q[2]!;
@@ -123,7 +123,7 @@ function mechanicsKinematics(
 }
 
 /** Kept for several functions. */
-function rollingKinematics(
+export function rollingKinematics(
   q: Float64Array, v: Float64Array, p: Float64Array,
 ): void {
   const theta = q[2]!;
@@ -262,97 +262,6 @@ function mechanicsRest(
   h[4] = x15 + x6 * kept[58]! - x16 - x17;
 }
 
-/** Columns of `jacobians`. */
-function jacobians0(
-  q: Float64Array, v: Float64Array, p: Float64Array, a: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const x0 = kept[1]!;
-  const x1 = kept[2]!;
-  const x2 = kept[3]!;
-  const x3 = kept[4]!;
-  const x4 = kept[5]!;
-  const x5 = kept[7]!;
-  const x6 = kept[8]!;
-  const x7 = kept[9]!;
-  const x8 = kept[10]!;
-  const x9 = kept[11]!;
-  const x10 = kept[18]!;
-  const x11 = kept[19]!;
-  const x12 = kept[27]!;
-  const x13 = kept[29]!;
-  const x14 = kept[32]!;
-  const x15 = kept[55]!;
-  const phi_f = q[3]!;
-  const phi_r = q[4]!;
-  const theta_dot = v[2]!;
-  const phi_f_dot = v[3]!;
-  const phi_r_dot = v[4]!;
-  const c = p[6]!;
-  const a0 = a[0]!;
-  const a1 = a[1]!;
-  const a2 = a[2]!;
-  const x16 = a[3]! * x1;
-  const x17 = a[4]! * x1;
-  const x18 = x0 * kept[28]! - x3 * kept[26]!;
-  const x19 = theta_dot * x18;
-  const x20 = x3 * kept[56]!;
-  const x21 = x0 * kept[57]!;
-  const x22 = theta_dot * (x3 * kept[42]! + (x3 * kept[40]! + (x0 * kept[36]! + x0 * kept[38]!))) - (phi_r_dot * x18 + (phi_f_dot * x18 + (a1 * x2 - a0 * x4)));
-  const x23 = x0 * kept[48]! + (x0 * kept[46]! + (x22 - x3 * kept[45]!) - x3 * kept[47]!) - x3 * kept[51]! - x3 * kept[52]!;
-  const x24 = x21 - (x20 + (x0 * (a0 * x1) + (x19 + x3 * (a1 * x1))));
-  const x25 = x3 * x15;
-  const x26 = x0 * x15;
-  const x27 = theta_dot * kept[30]!;
-  const x28 = theta_dot * x25 - a2 * x7;
-  const x29 = -(theta_dot * x26 + a2 * x6);
-  const x30 = a0 * x7 + a1 * x6;
-  const x31 = -x5 * kept[53]!;
-  const x32 = theta_dot * x4;
-  const x33 = theta_dot * x7;
-  const x34 = x26 - x33;
-  const x35 = theta_dot * x2;
-  const x36 = theta_dot * x6;
-  const x37 = x25 - x36;
-  const x38 = theta_dot + theta_dot;
-  const x39 = kept[43]! + (kept[41]! + (kept[6]! * (c * 2) + (kept[44]! + (phi_f_dot * kept[31]! + phi_r_dot * kept[34]!))));
-  const x40 = -(x26 + x33);
-  const x41 = -(x25 + x36);
-  dq.fill(0);
-  dv.fill(0);
-  dq[2] = kept[25]! + (kept[24]! + (kept[23]! + a2 * x4 - x0 * x16 - x0 * x17));
-  dq[7] = kept[15]! - a2 * x2 - x3 * x16 - x3 * x17 - kept[16]! - kept[17]!;
-  dq[12] = x23 - x0 * kept[49]! - x0 * kept[50]!;
-  dq[17] = x24;
-  dq[22] = x24;
-  dq[3] = x28;
-  dq[8] = x29;
-  dq[13] = x21 + (phi_f_dot * x27 + (a2 * (x5 * (phi_f + phi_f)) - x30) - x19) - x20;
-  dq[18] = x31;
-  dq[4] = x28;
-  dq[9] = x29;
-  dq[14] = x21 + (phi_r_dot * x27 + (a2 * (x5 * (phi_r + phi_r)) - x30) - x19) - x20;
-  dq[24] = x31;
-  dv[0] = c;
-  dv[10] = x9 + (x8 + (x32 - (phi_f_dot * x7 + phi_r_dot * x7))) - kept[12]! - kept[13]!;
-  dv[15] = x34;
-  dv[20] = x34;
-  dv[6] = c;
-  dv[11] = kept[21]! + (kept[20]! + (x11 + (x10 - (x35 + (phi_f_dot * x6 + phi_r_dot * x6)))));
-  dv[16] = x37;
-  dv[21] = x37;
-  dv[2] = kept[14]! + x32 - x8 - x9;
-  dv[7] = -(x11 + (x10 + (kept[22]! + x35)));
-  dv[12] = x39 - kept[37]! - kept[39]!;
-  dv[17] = x13 + (x12 - (x14 + kept[54]! * x38));
-  dv[22] = x13 + (x12 - (x14 + kept[58]! * x38));
-  dv[3] = x40;
-  dv[8] = x41;
-  dv[13] = x13 + (x12 + kept[33]!);
-  dv[4] = x40;
-  dv[9] = x41;
-  dv[14] = x13 + (x12 + kept[35]!);
-}
-
 /** What `rollingConstraints` does not share. */
 function rollingConstraintsRest(
   v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
@@ -368,101 +277,6 @@ function rollingConstraintsRest(
   omega[7] = l1 / kept[69]!;
   gamma[0] = v[3]! * kept[86]! + theta_dot * kept[87]!;
   gamma[1] = v[4]! * kept[95]! + theta_dot * kept[96]!;
-}
-
-/** Columns of `rollingJacobians`. */
-function rollingJacobians0(
-  v: Float64Array, p: Float64Array, a: Float64Array, lambda: Float64Array, forceQ: Float64Array, rateQ: Float64Array, velocityQ: Float64Array, rateV: Float64Array,
-): void {
-  const x0 = kept[59]!;
-  const x1 = kept[60]!;
-  const x2 = kept[61]!;
-  const x3 = kept[62]!;
-  const x4 = kept[63]!;
-  const x5 = kept[64]!;
-  const x6 = kept[65]!;
-  const x7 = kept[66]!;
-  const x8 = kept[67]!;
-  const x9 = kept[68]!;
-  const x10 = kept[69]!;
-  const x11 = kept[70]!;
-  const x12 = kept[71]!;
-  const x13 = kept[72]!;
-  const x14 = kept[73]!;
-  const x15 = kept[74]!;
-  const x16 = kept[75]!;
-  const x17 = kept[76]!;
-  const x18 = kept[78]!;
-  const x19 = kept[79]!;
-  const x20 = kept[81]!;
-  const x21 = kept[82]!;
-  const x22 = kept[83]!;
-  const x23 = kept[87]!;
-  const x24 = kept[88]!;
-  const x25 = kept[90]!;
-  const x26 = kept[92]!;
-  const x27 = kept[96]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
-  const phi_f_dot = v[3]!;
-  const phi_r_dot = v[4]!;
-  const l1 = p[0]!;
-  const a0 = a[0]!;
-  const a1 = a[1]!;
-  const lambda0 = lambda[0]!;
-  const lambda1 = lambda[1]!;
-  const x28 = x0 * x1;
-  const x29 = x5 * (x28 + x28);
-  const x30 = x29 * (0.5 / x7);
-  const x31 = x0 * x4;
-  const x32 = x2 * x3;
-  const x33 = x5 * (x32 + x32);
-  const x34 = x33 * (0.5 / x10);
-  const x35 = x2 * x4;
-  const x36 = l1 * a[2]!;
-  const x37 = theta_dot * l1;
-  const x38 = phi_f_dot * (x13 * x19 / x6 - x12 * x17 / x6) + a0 * x13 - theta_dot * (x_dot * x12 - y_dot * x13);
-  const x39 = phi_r_dot * (x15 * x25 / x9 - x14 * x24 / x9) + a0 * x15 - theta_dot * (x_dot * x14 - y_dot * x15);
-  const x40 = x31 / (1 + x8 * x8);
-  const x41 = x13 * x40;
-  const x42 = x12 * x40;
-  const x43 = (x19 * x41 - x12 * (x1 * x18) - x29 * kept[80]!) / x6 - (x17 * x42 + x13 * (x1 * x16) + x29 * kept[77]!) / x6;
-  const x44 = phi_f_dot * ((x0 * kept[84]! - x1 * (x1 * x22) - kept[85]! * (x7 * x29 + x6 * x30)) / x20 + x43) + a0 * x41;
-  const x45 = x35 / (1 + x11 * x11);
-  const x46 = x15 * x45;
-  const x47 = x14 * x45;
-  const x48 = (x25 * x46 - x14 * (x3 * x18) - x33 * kept[91]!) / x9 - (x24 * x47 + x15 * (x3 * x16) + x33 * kept[89]!) / x9;
-  const x49 = phi_r_dot * (x48 - (x2 * kept[93]! - x3 * (x3 * x22) - kept[94]! * (x10 * x33 + x9 * x34)) / x26);
-  const x50 = a1 * x47 + (theta_dot * (y_dot * x46 - x_dot * x47) + (x49 + a0 * x46)) - x34 * (x36 / x10) / x10;
-  forceQ.fill(0);
-  rateQ.fill(0);
-  rateV.fill(0);
-  velocityQ.fill(0);
-  forceQ[2] = lambda0 * x13 + lambda1 * x15;
-  forceQ[7] = lambda0 * x12 + lambda1 * x14;
-  rateQ[2] = a1 * x12 + x38;
-  rateQ[7] = a1 * x14 + x39;
-  velocityQ[2] = x23;
-  velocityQ[7] = x27;
-  forceQ[3] = lambda0 * x41;
-  forceQ[8] = lambda0 * x42;
-  forceQ[13] = x30 * (l1 * lambda0 / x7) / x7;
-  rateQ[3] = x30 * (x36 / x7) / x7 + (a1 * x42 + (theta_dot * (y_dot * x41 - x_dot * x42) + x44));
-  velocityQ[3] = x30 * (x37 / x7) / x7 + (x_dot * x41 + y_dot * x42);
-  forceQ[4] = lambda1 * x46;
-  forceQ[9] = lambda1 * x47;
-  forceQ[14] = -x34 * (l1 * lambda1 / x10) / x10;
-  rateQ[9] = x50;
-  velocityQ[9] = x_dot * x46 + y_dot * x47 - x34 * (x37 / x10) / x10;
-  rateV[0] = phi_f_dot * (x31 * x13 / x6) + theta_dot * x13;
-  rateV[5] = phi_r_dot * (x35 * x15 / x9) + theta_dot * x15;
-  rateV[1] = phi_f_dot * (x31 * x12 / x6) + theta_dot * x12;
-  rateV[6] = phi_r_dot * (x35 * x14 / x9) + theta_dot * x14;
-  rateV[2] = x23 + phi_f_dot * (x1 * (x0 * x21) / x20);
-  rateV[7] = x27 - phi_r_dot * (x3 * (x2 * x21) / x26);
-  rateV[3] = kept[86]!;
-  rateV[9] = kept[95]!;
 }
 
 /** [kinetic, potential] in J. */
@@ -501,136 +315,12 @@ export function energy(
   out[0] = x16 - x2 * (y_dot * x7);
 }
 
-/** Derivatives of `poses` by q (60 x 5). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta = q[2]!;
-  const phi_f = q[3]!;
-  const phi_r = q[4]!;
-  const l1 = p[0]!;
-  const x0 = Math.cos(theta);
-  const x1 = Math.sin(theta);
-  const x2 = -x1;
-  const x3 = l1 * x0;
-  const x4 = l1 * x1;
-  const x5 = Math.cos(phi_f);
-  const x6 = -x1 * x5;
-  const x7 = Math.sin(phi_f);
-  const x8 = x1 * x7;
-  const x9 = x0 * x5;
-  const x10 = -x3;
-  const x11 = -x4;
-  const x12 = Math.cos(phi_r);
-  const x13 = -x1 * x12;
-  const x14 = Math.sin(phi_r);
-  const x15 = x1 * x14;
-  const x16 = x0 * x12;
-  const x17 = Math.tan(p[5]!);
-  const x18 = x17 * x17;
-  const x19 = Math.sqrt(1 + x7 * x7 * x18);
-  const x20 = x0 / x19;
-  const x21 = x7 * x17;
-  const x22 = x1 / x19;
-  const x23 = x0 * x17;
-  const x24 = Math.sqrt(1 + x18 * (x14 * x14));
-  const x25 = x0 / x24;
-  const x26 = x14 * x17;
-  const x27 = x1 / x24;
-  const x28 = -x0 * x7;
-  const x29 = -x0 * x14;
-  const x30 = -(x22 + x0 * x21 / x19);
-  const x31 = x1 * x17;
-  const x32 = x20 - x7 * x31 / x19;
-  const x33 = -(x27 + x0 * x26 / x24);
-  const x34 = x25 - x14 * x31 / x24;
-  const x35 = x5 * x7;
-  const x36 = x18 * (x35 + x35) * (0.5 / x19);
-  const x37 = -(x20 * x36 / x19 + (x1 * (x5 * x17) - x1 * x21 / x19 * x36) / x19);
-  const x38 = (x5 * x23 - x7 * x23 / x19 * x36) / x19 - x22 * x36 / x19;
-  const x39 = x12 * x14;
-  const x40 = x18 * (x39 + x39) * (0.5 / x24);
-  const x41 = -(x25 * x40 / x24 + (x1 * (x12 * x17) - x1 * x26 / x24 * x40) / x24);
-  const x42 = (x12 * x23 - x14 * x23 / x24 * x40) / x24 - x27 * x40 / x24;
-  out.fill(0);
-  out[0] = 1;
-  out[6] = 1;
-  out[17] = x2;
-  out[22] = -x0;
-  out[32] = x0;
-  out[37] = x2;
-  out[60] = 1;
-  out[62] = x11;
-  out[66] = 1;
-  out[67] = x3;
-  out[77] = x2;
-  out[82] = -x9;
-  out[83] = x8;
-  out[87] = x28;
-  out[88] = x6;
-  out[92] = x0;
-  out[97] = x6;
-  out[98] = x28;
-  out[102] = -x8;
-  out[103] = x9;
-  out[113] = -x5;
-  out[118] = -x7;
-  out[120] = 1;
-  out[122] = x4;
-  out[126] = 1;
-  out[127] = x10;
-  out[137] = x2;
-  out[142] = -x16;
-  out[144] = x15;
-  out[147] = x29;
-  out[149] = x13;
-  out[152] = x0;
-  out[157] = x13;
-  out[159] = x29;
-  out[162] = -x15;
-  out[164] = x16;
-  out[174] = -x12;
-  out[179] = -x14;
-  out[180] = 1;
-  out[182] = x11;
-  out[186] = 1;
-  out[187] = x3;
-  out[197] = x30;
-  out[198] = x37;
-  out[202] = -x32;
-  out[203] = -x38;
-  out[212] = x32;
-  out[213] = x38;
-  out[217] = x30;
-  out[218] = x37;
-  out[240] = 1;
-  out[242] = x4;
-  out[246] = 1;
-  out[247] = x10;
-  out[257] = x33;
-  out[259] = x41;
-  out[262] = -x34;
-  out[264] = -x42;
-  out[272] = x34;
-  out[274] = x42;
-  out[277] = x33;
-  out[279] = x41;
-}
-
 /** Mass matrix (5 x 5) and h (5) of M a = h. */
 export function mechanics(
   q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array,
 ): void {
   mechanicsKinematics(q, v, p);
   mechanicsRest(q, v, p, massMatrix, h);
-}
-
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  mechanicsKinematics(q, v, p);
-  jacobians0(q, v, p, a, dq, dv);
 }
 
 /** Omega (2 x 5) and gamma = Omega_dot v (2). */
@@ -649,12 +339,4 @@ export function rollingDynamics(
   rollingKinematics(q, v, p);
   mechanicsRest(q, v, p, massMatrix, h);
   rollingConstraintsRest(v, p, omega, gamma);
-}
-
-/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
-export function rollingJacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  rollingKinematics(q, v, p);
-  rollingJacobians0(v, p, a, lambda, forceQ, rateQ, velocityQ, rateV);
 }

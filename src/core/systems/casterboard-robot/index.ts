@@ -6,6 +6,7 @@ export const casterboardRobot: SystemFolder = {
   view: casterboardRobotView,
   cases: casterboardRobotCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),
 };

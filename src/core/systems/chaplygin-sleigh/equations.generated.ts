@@ -39,50 +39,6 @@ export function mechanics(
   h[2] = x13;
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const theta = q[2]!;
-  const theta_dot = v[2]!;
-  const mass = p[0]!;
-  const a_ = p[1]!;
-  const x0 = Math.sin(theta);
-  const x1 = mass * a_;
-  const x2 = Math.cos(theta);
-  const x3 = mass * 0.5;
-  const x4 = x1 * (theta_dot * theta_dot);
-  const x5 = theta_dot * a_;
-  const x6 = x2 * x5;
-  const x7 = v[1]! + x6;
-  const x8 = a_ * (-2);
-  const x9 = theta_dot * x8;
-  const x10 = x0 * x5;
-  const x11 = x10 - v[0]!;
-  const x12 = a_ * 2;
-  const x13 = theta_dot * x12;
-  const x14 = x7 * x8;
-  const x15 = x11 * x12;
-  const x16 = mass * (-0.5);
-  const x17 = a[2]! * x1;
-  const x18 = theta_dot * x3;
-  const x19 = x16 * (x2 * (x7 * x9) - x0 * (x9 * x10) + (x2 * (x6 * x13) - x0 * (x11 * x13))) + x18 * (x2 * x14 - x0 * (x8 * x10) + (x2 * (x6 * x12) - x0 * x15));
-  const x20 = x1 * (theta_dot + theta_dot);
-  const x21 = a_ * x2;
-  const x22 = a_ * x0;
-  const x23 = x16 * (x0 * (x14 + x9 * x21) + x2 * (x15 + x13 * x22)) + (x18 * (x0 * (x8 * x21) + x2 * (x12 * x22)) + x3 * (x0 * x14 + x2 * x15));
-  dq.fill(0);
-  dv.fill(0);
-  dq[2] = x0 * x4 - x2 * x17;
-  dq[5] = -(x2 * x4 + x0 * x17);
-  dq[8] = x19 - x0 * (a[1]! * x1) - x2 * (a[0]! * x1);
-  dv[6] = -(x16 * (x2 * x13) + x18 * (x2 * x12));
-  dv[7] = x16 * (x0 * x9) + x18 * (x0 * x8);
-  dv[2] = -x2 * x20;
-  dv[5] = -x0 * x20;
-  dv[8] = x23;
-}
-
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
@@ -94,30 +50,6 @@ export function rollingConstraints(
   omega[0] = -x0;
   omega[1] = x1;
   gamma[0] = -v[2]! * (v[0]! * x1 + v[1]! * x0);
-}
-
-/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
-export function rollingJacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  const theta = q[2]!;
-  const x_dot = v[0]!;
-  const y_dot = v[1]!;
-  const theta_dot = v[2]!;
-  const lambda0 = lambda[0]!;
-  const x0 = Math.sin(theta);
-  const x1 = Math.cos(theta);
-  const x2 = -(x_dot * x1 + y_dot * x0);
-  forceQ.fill(0);
-  rateQ.fill(0);
-  velocityQ.fill(0);
-  forceQ[2] = -lambda0 * x1;
-  forceQ[5] = -lambda0 * x0;
-  rateQ[2] = -(a[0]! * x1 + (theta_dot * (y_dot * x1 - x_dot * x0) + a[1]! * x0));
-  velocityQ[2] = x2;
-  rateV[0] = -theta_dot * x1;
-  rateV[1] = -theta_dot * x0;
-  rateV[2] = x2;
 }
 
 /** [kinetic, potential] in J. */
@@ -133,23 +65,6 @@ export function energy(
   const x4 = x0 * x2 - v[0]!;
   out.fill(0);
   out[0] = theta_dot * theta_dot * (p[2]! * 0.5) + p[0]! * 0.5 * (x3 * x3 + x4 * x4);
-}
-
-/** Derivatives of `poses` by q (12 x 3). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta = q[2]!;
-  const x0 = Math.sin(theta);
-  const x1 = Math.cos(theta);
-  const x2 = -x0;
-  out.fill(0);
-  out[0] = 1;
-  out[4] = 1;
-  out[11] = x2;
-  out[14] = -x1;
-  out[20] = x1;
-  out[23] = x2;
 }
 
 /** `mechanics` and `rollingConstraints` at once, for less than both. */

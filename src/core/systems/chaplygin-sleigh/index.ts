@@ -6,6 +6,7 @@ export const chaplyginSleigh: SystemFolder = {
   view: chaplyginSleighView,
   cases: chaplyginSleighCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),
 };

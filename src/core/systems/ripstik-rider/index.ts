@@ -7,6 +7,7 @@ export const ripstikRider: SystemFolder = {
   view: ripstikRiderView,
   cases: ripstikRiderCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   tape: () => import('./accelerations.generated.json'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),

@@ -7,6 +7,7 @@ export const ripstik: SystemFolder = {
   view: ripstikView,
   cases: ripstikCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   tape: () => import('./accelerations.generated.json'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),

@@ -17,14 +17,6 @@ export function mechanics(
   massMatrix[15] = p[3]!;
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  dq.fill(0);
-  dv.fill(0);
-}
-
 /** Omega (2 x 4) and gamma = Omega_dot v (2). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
@@ -43,36 +35,6 @@ export function rollingConstraints(
   gamma[1] = -x0 * x2;
 }
 
-/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
-export function rollingJacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  const theta = q[2]!;
-  const theta_dot = v[2]!;
-  const rho = p[1]!;
-  const x0 = Math.cos(theta);
-  const x1 = Math.sin(theta);
-  const x2 = v[3]! * rho;
-  const x3 = theta_dot * x2;
-  const x4 = rho * a[3]!;
-  const x5 = -x0 * x2;
-  const x6 = x1 * x2;
-  const x7 = theta_dot * rho;
-  forceQ.fill(0);
-  rateQ.fill(0);
-  rateV.fill(0);
-  velocityQ.fill(0);
-  forceQ[14] = -(x0 * (rho * lambda[1]!) - x1 * (rho * lambda[0]!));
-  rateQ[2] = x0 * x3 + x1 * x4;
-  rateQ[6] = x1 * x3 - x0 * x4;
-  velocityQ[2] = x6;
-  velocityQ[6] = x5;
-  rateV[2] = x6;
-  rateV[6] = x5;
-  rateV[3] = x1 * x7;
-  rateV[7] = -x0 * x7;
-}
-
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,
@@ -85,37 +47,6 @@ export function energy(
   const x1 = x0 * (Y_dot * Y_dot) + (X_dot * X_dot * x0 + (theta_dot * theta_dot * (p[2]! * 0.5) + phi_dot * phi_dot * (p[3]! * 0.5)));
   out.fill(0);
   out[0] = x1;
-}
-
-/** Derivatives of `poses` by q (12 x 4). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const theta = q[2]!;
-  const phi = q[3]!;
-  const x0 = Math.cos(phi);
-  const x1 = Math.cos(theta);
-  const x2 = x0 * x1;
-  const x3 = Math.sin(theta);
-  const x4 = Math.sin(phi);
-  const x5 = x1 * x4;
-  const x6 = x0 * x3;
-  const x7 = -x3 * x4;
-  out.fill(0);
-  out[0] = 1;
-  out[5] = 1;
-  out[14] = -x6;
-  out[15] = -x5;
-  out[18] = -x1;
-  out[22] = x7;
-  out[23] = x2;
-  out[26] = x2;
-  out[27] = x7;
-  out[30] = -x3;
-  out[34] = x5;
-  out[35] = x6;
-  out[39] = -x0;
-  out[47] = -x4;
 }
 
 /** `mechanics` and `rollingConstraints` at once, for less than both. */

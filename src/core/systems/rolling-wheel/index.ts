@@ -6,6 +6,7 @@ export const rollingWheel: SystemFolder = {
   view: rollingWheelView,
   cases: rollingWheelCases,
   equations: () => import('./equations.generated.ts'),
+  jacobians: () => import('./jacobians.generated.ts'),
   typeset: () => import('./typeset.generated.json'),
   drawing: () => import('./drawing.ts'),
 };

@@ -10,14 +10,6 @@ export function mechanics(
   h[0] = -v[0]! * p[0]!;
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  dq.fill(0);
-  dv[0] = p[0]!;
-}
-
 /** [kinetic, potential] in J. */
 export function energy(
   q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array,

@@ -27,24 +27,6 @@ export function mechanics(
   h[2] = x3 * (mP * (L * p[5]!));
 }
 
-/** Exact Jacobians of M a - h (row-major). */
-export function jacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array, dq: Float64Array, dv: Float64Array,
-): void {
-  const psi = q[2]!;
-  const psi_dot = v[2]!;
-  const mP = p[2]!;
-  const L = p[4]!;
-  const x0 = Math.sin(psi);
-  const x1 = mP * L;
-  const x2 = Math.cos(psi);
-  dq.fill(0);
-  dv.fill(0);
-  dq[2] = x0 * (x1 * (psi_dot * psi_dot)) - x2 * (a[2]! * x1);
-  dq[8] = x0 * (mP * (L * p[5]!)) - x2 * (a[0]! * x1);
-  dv[2] = -x2 * (x1 * (psi_dot + psi_dot));
-}
-
 /** Omega (1 x 3) and gamma = Omega_dot v (1). */
 export function rollingConstraints(
   q: Float64Array, v: Float64Array, p: Float64Array, omega: Float64Array, gamma: Float64Array,
@@ -53,16 +35,6 @@ export function rollingConstraints(
   gamma.fill(0);
   omega[0] = 1;
   omega[1] = -p[0]!;
-}
-
-/** Exact Jacobians of Omega^T lambda, Omega a + gamma and Omega v (row-major). */
-export function rollingJacobians(
-  q: Float64Array, v: Float64Array, a: Float64Array, lambda: Float64Array, p: Float64Array, forceQ: Float64Array, rateQ: Float64Array, rateV: Float64Array, velocityQ: Float64Array,
-): void {
-  forceQ.fill(0);
-  rateQ.fill(0);
-  rateV.fill(0);
-  velocityQ.fill(0);
 }
 
 /** [kinetic, potential] in J. */
@@ -79,31 +51,6 @@ export function energy(
   const x2 = psi_dot * psi_dot * (L * L * (mP * 0.6666666666666666)) + (x1 * (mP * 0.5) + (phi_dot * phi_dot * (p[3]! * 0.5) + x1 * (p[1]! * 0.5)));
   out[0] = x2 - x0 * (psi_dot * (X_dot * (mP * L)));
   out[1] = (p[0]! - L * x0) * (mP * p[5]!);
-}
-
-/** Derivatives of `poses` by q (24 x 3). */
-export function poseJacobian(
-  q: Float64Array, p: Float64Array, out: Float64Array,
-): void {
-  const phi = q[1]!;
-  const psi = q[2]!;
-  const x0 = Math.sin(psi);
-  const x1 = Math.cos(psi);
-  const x2 = -x0;
-  const x3 = Math.cos(phi);
-  const x4 = Math.sin(phi);
-  const x5 = -x4;
-  out.fill(0);
-  out[0] = 1;
-  out[10] = x5;
-  out[16] = x3;
-  out[28] = -x3;
-  out[34] = x5;
-  out[36] = 1;
-  out[47] = x2;
-  out[53] = x1;
-  out[65] = -x1;
-  out[71] = x2;
 }
 
 /** `mechanics` and `rollingConstraints` at once, for less than both. */

@@ -10,7 +10,9 @@ const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.
 /** `ripstik` for its equations, `ripstik-accelerations` for their tape, `ripstik-drawing`, `ripstik-typeset`. */
 function nameOf(module: string): string {
   const [, id, part] =
-    /systems\/([\w-]+)\/(equations|jacobians|accelerations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(module) ?? [];
+    /systems\/([\w-]+)\/(equations|jacobians|accelerations|drawing|typeset)(?:\.generated)?\.(?:ts|json)$/.exec(
+      module,
+    ) ?? [];
   return id ? (part === 'equations' ? id : `${id}-${part}`) : '[name]';
 }
 

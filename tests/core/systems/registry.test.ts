@@ -83,7 +83,9 @@ test('the registry brings names, poses and cases along, but no equations, formul
   expect(along).toContain('ripstik/poses.generated.ts');
   expect(along).toContain('ripstik/cases.ts');
   expect(
-    along.filter((path) => /(equations|jacobians)\.generated|typeset\.generated|drawing\.ts$|solids|wavefront/.test(path)),
+    along.filter((path) =>
+      /(equations|jacobians)\.generated|typeset\.generated|drawing\.ts$|solids|wavefront/.test(path),
+    ),
   ).toEqual(['../geometry/drawing.ts']);
 });
 

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
-import { leaveOut, withoutCases } from './scripts/leaveOut.ts';
 import { leanThree } from './scripts/leanThree.ts';
 import { offline } from './scripts/offline.ts';
+import { workerWithPage } from './scripts/workerWithPage.ts';
 
 const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
 
@@ -37,27 +37,16 @@ const developersStyles = {
   transformIndexHtml: (html: string) => html.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'"),
 };
 
-const chunks = chunkList();
-
-/** The registry names all that there is of a system; the page draws and typesets it, its workers compute it. */
-const forWorkers = leaveOut('the page', /\/(?:(?:equations|jacobians)\.generated\.ts|accelerations\.generated\.json)$/);
-const forPage = leaveOut('a worker', /\/(?:typeset\.generated\.json|drawing\.ts)$/);
-
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [woff2Only, developersStyles, leanThree(), forWorkers, chunks.page, offline()],
+  plugins: [woff2Only, developersStyles, leanThree(), workerWithPage(), chunkList(), offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     target: 'es2022',
     sourcemap: false,
     chunkSizeWarningLimit: 1500,
     assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
-    rolldownOptions: { output: { chunkFileNames } },
-  },
-  worker: {
-    format: 'es',
-    plugins: () => [forPage, withoutCases, chunks.worker],
     rolldownOptions: { output: { chunkFileNames } },
   },
   test: {

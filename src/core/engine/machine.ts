@@ -4,7 +4,8 @@
  */
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import type { Tape } from '../model/tape.ts';
-import { layoutOf, writeProgram, type Contact, type Layout } from './program.ts';
+import { layoutOf, type Contact, type Layout } from './layout.ts';
+import { writeProgram } from './program.ts';
 
 /** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
 const host = (
@@ -19,7 +20,18 @@ const host = (
 interface Exports {
   memory: { buffer: ArrayBuffer };
   accelerations(y: number, rate: number): number;
-  attempt(step: number, t: number, h: number, rtol: number, atol: number, projecting: number): number;
+  steps(
+    place: number,
+    count: number,
+    t: number,
+    h: number,
+    error: number,
+    limit: number,
+    most: number,
+    rtol: number,
+    atol: number,
+    projecting: number,
+  ): number;
   makeDense(step: number, t: number, h: number): number;
   interpolate(step: number, s: number): void;
 }
@@ -41,7 +53,7 @@ export class Machine {
 
   constructor(module: object, layout: Layout) {
     const force = (t: number, address: number): void => this.tenant!.force(t, address);
-    const exports = new host!.Instance(module, { host: { force } }).exports as Exports;
+    const exports = new host!.Instance(module, { host: { force, pow: Math.pow } }).exports as Exports;
     this.run = exports;
     this.memory = new Float64Array(exports.memory.buffer);
     this.layout = layout;

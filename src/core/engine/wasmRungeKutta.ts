@@ -1,10 +1,12 @@
-import type { OdeProblem, StepperOptions } from '../integrators/contract.ts';
+import type { OdeProblem, StepFailure, StepperOptions } from '../integrators/contract.ts';
 import { EmbeddedRungeKutta } from '../integrators/runge-kutta/embeddedRungeKutta.ts';
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { BYTES, PLACES, TOLD } from './layout.ts';
 import type { Machine, Tenant } from './machine.ts';
 
-const BYTES = 8;
+/** Steps that are computed ahead at first, and by how much more each time: a run may end soon. */
+const FIRST_AHEAD = 2;
 
 /** What the steps of a machine stand for. */
 export interface Work {
@@ -17,8 +19,11 @@ export interface Work {
 }
 
 /**
- * An embedded pair whose attempts are computed in WebAssembly: the same steps, errors and digits as the class that it
- * extends, which takes over, from the same slope, wherever an attempt has no value there.
+ * An embedded pair whose steps are computed in WebAssembly, some ahead of those asked for: the same steps, errors and digits as
+ * the class that it extends, which takes over, from the same slope, wherever a step does not come about.
+ *
+ * A step ahead is dropped where anything is changed beneath it (`reset`, `restart`, `stateChanged`, another limit). Where forces
+ * act from outside, which may change with every step, none is made.
  *
  * `problem.project`, where it is set, has to be the Projection of the same dynamics: the machine does it by itself.
  */
@@ -30,12 +35,14 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
   private readonly q: Float64Array;
   private readonly v: Float64Array;
   private readonly outside: Float64Array;
-  /** Places of the step being tried and of the last accepted one, numbers from the memory's start. */
-  private trialAt: number;
-  private keptAt: number;
-  /** The last try, and the last accepted step, lie in the memory. */
-  private tried = false;
-  private inMemory = false;
+  /** Place of the last accepted step in the memory; -1 where TypeScript made it. */
+  private at = -1;
+  /** Steps in the places after it that were not asked for yet, and for what limit and bound they hold. */
+  private ahead = 0;
+  private limit = NaN;
+  private most = NaN;
+  /** How many are to be computed next time. */
+  private count = FIRST_AHEAD;
   private denseMade = false;
 
   constructor(problem: OdeProblem, options: StepperOptions, tableau: EmbeddedTableau, work: Work) {
@@ -47,81 +54,130 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
     this.q = new Float64Array(n);
     this.v = new Float64Array(n);
     this.outside = new Float64Array(n);
-    [this.trialAt, this.keptAt] = work.machine.layout.steps;
   }
 
   override reset(t: number, y: Float64Array): void {
     super.reset(t, y);
-    this.inMemory = false;
+    this.at = -1;
+    this.ahead = 0;
+  }
+
+  override stateChanged(): void {
+    super.stateChanged();
+    this.ahead = 0;
+  }
+
+  override restart(): void {
+    super.restart();
+    this.ahead = 0;
+  }
+
+  override step(limit: number, maxStep = Infinity): StepFailure | null {
+    const most = this.bound(maxStep);
+    if (this.ahead === 0 || limit !== this.limit || most !== this.most) {
+      const slopeThere = this.fresh && this.at >= 0;
+      const failure = this.begin(Math.min(limit - this.t, most));
+      if (failure) return failure;
+      this.compute(limit, most, slopeThere);
+    }
+    if (this.ahead > 0) {
+      this.take();
+      return null;
+    }
+    this.release();
+    return super.step(limit, maxStep);
   }
 
   override interpolate(t: number, out: Float64Array): void {
-    if (!this.inMemory || !(this.stepTaken > 0)) return super.interpolate(t, out);
-    const { machine, memory, keptAt } = this;
+    if (this.at < 0) return super.interpolate(t, out);
+    const { machine, memory, at } = this;
+    const from = this.stateAt(at) * BYTES;
     if (!this.denseMade) {
-      const extra = this.tableau.A.length - this.tableau.stages - 1;
-      if (machine.run.makeDense(keptAt * BYTES, this.previousT, this.stepTaken) === 0) {
+      if (machine.run.makeDense(from, this.previousT, this.stepTaken) === 0) {
         this.release();
         return super.interpolate(t, out);
       }
-      this.counters.evaluations += extra;
+      this.counters.evaluations += this.tableau.A.length - this.tableau.stages - 1;
       this.denseMade = true;
     }
-    machine.run.interpolate(keptAt * BYTES, this.fraction(t));
-    const from = machine.layout.sample;
-    for (let i = 0; i < out.length; i++) out[i] = memory[from + i]!;
+    machine.run.interpolate(from, this.fraction(t));
+    const { sample } = machine.layout;
+    for (let i = 0; i < out.length; i++) out[i] = memory[sample + i]!;
   }
 
-  protected override attempt(h: number): number {
-    const { machine, memory, y, trialAt, startSlope: slope, options } = this;
-    const { stages } = this.tableau;
+  /** Where y0 of the step at a place begins; y1 and the slopes follow it. */
+  private stateAt(place: number): number {
+    const { layout } = this.machine;
+    return layout.steps + place * layout.place + TOLD.count;
+  }
+
+  /** Computes steps from the end of the last one on. @param slopeThere its slope is in the memory, not in `startSlope` */
+  private compute(limit: number, most: number, slopeThere: boolean): void {
+    const { machine, memory, options, startSlope: slope, y } = this;
     const N = y.length;
     if (machine.takenBy(this)) memory.set(this.work.constants, machine.layout.constants);
+    const first = (this.at + 1) % PLACES;
+    const to = this.stateAt(first);
+    const from = slopeThere && this.at >= 0 ? this.stateAt(this.at) + (2 + this.tableau.stages) * N : -1;
     for (let i = 0; i < N; i++) {
-      memory[trialAt + i] = y[i]!;
-      memory[trialAt + 2 * N + i] = slope[i]!;
+      memory[to + i] = y[i]!;
+      memory[to + 2 * N + i] = from < 0 ? slope[i]! : memory[from + i]!;
     }
-    const projecting = this.problem.project ? 1 : 0;
-    const error = machine.run.attempt(trialAt * BYTES, this.t, h, options.rtol, options.atol, projecting);
-    this.tried = error === error;
-    if (!this.tried) return super.attempt(h);
-    this.counters.evaluations += this.estimateAtEnd || error <= 1 ? stages : stages - 1;
-    return error;
+    this.limit = limit;
+    this.most = most;
+    this.ahead = machine.run.steps(
+      (to - TOLD.count) * BYTES,
+      this.work.forces ? 1 : Math.min(this.count, PLACES - first),
+      this.t,
+      this.h,
+      this.controller.lastError,
+      limit,
+      most,
+      options.rtol,
+      options.atol,
+      this.problem.project ? 1 : 0,
+    );
+    this.count = Math.min(2 * this.count, PLACES - 1);
   }
 
-  protected override accept(h: number, error: number): void {
-    if (!this.tried) {
-      this.inMemory = false;
-      return super.accept(h, error);
-    }
-    const { memory, y, trialAt, startSlope: slope } = this;
-    const N = y.length;
-    const last = trialAt + (2 + this.tableau.stages) * N;
-    for (let i = 0; i < N; i++) {
-      y[i] = memory[trialAt + N + i]!;
-      slope[i] = memory[last + i]!;
-    }
-    this.trialAt = this.keptAt;
-    this.keptAt = trialAt;
-    this.inMemory = true;
+  /** Accepts the first of the steps ahead. */
+  private take(): void {
+    const { memory, counters, y, work } = this;
+    const { stages } = this.tableau;
+    this.at = (this.at + 1) % PLACES;
+    this.ahead--;
     this.denseMade = false;
+    const from = this.stateAt(this.at);
+    const told = from - TOLD.count;
+    const rejected = memory[told + TOLD.rejected]!;
+    counters.steps++;
+    counters.rejected += rejected;
+    counters.evaluations += stages + rejected * (this.estimateAtEnd ? stages : stages - 1);
+    this.previousT = this.t;
+    this.t = memory[told + TOLD.end]!;
+    this.stepTaken = memory[told + TOLD.taken]!;
+    this.h = memory[told + TOLD.next]!;
+    this.controller.lastError = memory[told + TOLD.error]!;
+    for (let i = 0, end = from + y.length; i < y.length; i++) y[i] = memory[end + i]!;
     // An event looks at the end of every step: it finds there what the last slope was made of.
-    const { lambda, factors } = this.machine.layout;
-    this.work.dynamics.adopt(this.previousT + h, memory, trialAt + N, last, lambda, factors);
-    this.chooseNext(h, error, 1);
+    work.dynamics.adopt(this.t, y, memory[told + TOLD.factor]!);
   }
 
   /** The last accepted step goes where the class above looks for it. */
   release(): void {
-    if (!this.inMemory) return;
-    const { memory, keptAt, kept } = this;
-    const N = this.y.length;
-    const part = (k: number): Float64Array => memory.subarray(keptAt + k * N, keptAt + (k + 1) * N);
+    this.ahead = 0;
+    if (this.at < 0) return;
+    const { memory, kept, startSlope: slope, y } = this;
+    const { stages } = this.tableau;
+    const N = y.length;
+    const from = this.stateAt(this.at);
+    const part = (k: number): Float64Array => memory.subarray(from + k * N, from + (k + 1) * N);
     this.y0.set(part(0));
     this.y1.set(part(1));
-    for (let j = 0; j <= this.tableau.stages; j++) kept.k[j]!.set(part(2 + j));
+    for (let j = 0; j <= stages; j++) kept.k[j]!.set(part(2 + j));
+    if (this.fresh) slope.set(part(2 + stages));
     this.terms = 0;
-    this.inMemory = false;
+    this.at = -1;
   }
 
   force(t: number, address: number): void {

@@ -59,7 +59,8 @@ export class ConstrainedSystem {
   private readonly preparedQ: Float64Array;
   private readonly preparedV: Float64Array;
   private preparedT = NaN;
-  private prepared: 'no' | 'direct' | 'factored' | 'failed' = 'no';
+  /** `told`: the determinant alone, by another engine. */
+  private prepared: 'no' | 'direct' | 'factored' | 'failed' | 'told' = 'no';
   /** The short way, where there is one. */
   readonly direct: DirectAccelerations | null;
 
@@ -173,10 +174,17 @@ export class ConstrainedSystem {
     if (m === 0) return Infinity;
     if (this.failure) return 0;
     let bound = 1;
-    if (this.direct && this.prepared === 'direct') bound = this.direct.determinant;
+    if (this.direct && (this.prepared === 'direct' || this.prepared === 'told')) bound = this.direct.determinant;
     else for (let r = 0; r < m; r++) bound *= (S[r * m + r]! * S[r * m + r]!) / scaled[r * m + r]!;
     for (let r = 1; r < m; r++) bound *= (m - 1) / m;
     return bound;
+  }
+
+  /** The same at a state, which is not evaluated again where it was the last: the end of a step. */
+  independenceBoundAt(t: number, q: Float64Array, v: Float64Array): number {
+    const known = (this.prepared === 'direct' || this.prepared === 'told') && t === this.preparedT;
+    if (!known || !this.direct!.isAt(q, v)) this.prepare(t, q, v);
+    return this.independenceBound();
   }
 
   /** After `factor`: a (n) and lambda (m) of the constrained motion. False sets `failure`. */
@@ -205,10 +213,12 @@ export class ConstrainedSystem {
     return this.factor();
   }
 
-  /** The same for what another engine has evaluated at a time (s) and state. */
-  adopt(t: number, ...evaluated: Parameters<DirectAccelerations['adopt']>): void {
-    this.direct!.adopt(...evaluated);
-    this.holdsDirect(t);
+  /** Another engine has evaluated a state at a time (s); see `DirectAccelerations.adopt`. */
+  adopt(t: number, y: Float64Array, last: number): void {
+    this.direct!.adopt(y, last);
+    this.prepared = 'told';
+    this.preparedT = t;
+    this.failure = null;
   }
 
   private holdsDirect(t: number): true {
@@ -242,7 +252,7 @@ export class ConstrainedSystem {
   }
 
   private isPrepared(t: number, q: Float64Array, v: Float64Array): boolean {
-    if (this.prepared === 'no' || t !== this.preparedT) return false;
+    if (this.prepared === 'no' || this.prepared === 'told' || t !== this.preparedT) return false;
     if (this.direct && this.prepared === 'direct') return this.direct.holds(q, v);
     const { n, preparedQ, preparedV } = this;
     for (let i = 0; i < n; i++) if (q[i] !== preparedQ[i] || v[i] !== preparedV[i]) return false;

@@ -19,8 +19,10 @@ export class DirectAccelerations {
   readonly constants: Float64Array;
   private readonly force: Float64Array;
   private readonly factors: Float64Array;
-  /** [q, v], with both halves as arrays of their own for those who act from outside. */
+  /** [q, v] of the state last evaluated, with both halves as arrays of their own for those who act from outside. */
   private readonly y: Float64Array;
+  /** `rate` is of that state too. */
+  private complete = false;
   private readonly q: Float64Array;
   private readonly v: Float64Array;
 
@@ -44,16 +46,22 @@ export class DirectAccelerations {
     this.v = this.y.subarray(n);
   }
 
-  /** Whether q and v are the state last evaluated by `ofState`. */
-  holds(q: Float64Array, v: Float64Array): boolean {
+  /** Whether q and v are the state last evaluated: the determinant is theirs. */
+  isAt(q: Float64Array, v: Float64Array): boolean {
     const { y } = this;
     const n = q.length;
     for (let i = 0; i < n; i++) if (q[i] !== y[i] || v[i] !== y[n + i]) return false;
     return true;
   }
 
+  /** Whether `rate` and everything else is of this state. */
+  holds(q: Float64Array, v: Float64Array): boolean {
+    return this.complete && this.isAt(q, v);
+  }
+
   /** The same for y = [q, v]. */
   holdsPair(y: Float64Array): boolean {
+    if (!this.complete) return false;
     for (let i = 0; i < y.length; i++) if (y[i] !== this.y[i]) return false;
     return true;
   }
@@ -66,29 +74,26 @@ export class DirectAccelerations {
       y[i] = q[i]!;
       y[n + i] = v[i]!;
     }
+    this.complete = true;
     return this.evaluate(t, y, this.rate);
   }
 
-  /** The same at y = [q, v], straight into `rate` (2 n); the state is not held, its factors are. */
+  /** The same at y = [q, v], straight into `rate` (2 n), which is not held. */
   ofPair(t: number, y: Float64Array, rate: Float64Array): boolean {
-    if (this.forced) this.y.set(y);
-    else this.y[0] = NaN;
-    const done = this.evaluate(t, y, rate);
-    this.y[0] = NaN;
-    return done;
+    for (let i = 0; i < y.length; i++) this.y[i] = y[i]!;
+    this.complete = false;
+    return this.evaluate(t, y, rate);
   }
 
   /**
-   * What another engine has evaluated at y = [q, v], as if `ofState` had.
-   * @param from numbers of which the arrays begin at these positions
+   * Another engine has evaluated a state: of that, nothing but this is held.
+   * @param y [q, v]
+   * @param last of its factors, the inverse of the determinant
    */
-  adopt(from: Float64Array, y: number, rate: number, lambda: number, factors: number): void {
-    for (let i = 0; i < this.y.length; i++) {
-      this.y[i] = from[y + i]!;
-      this.rate[i] = from[rate + i]!;
-    }
-    for (let r = 0; r < this.lambda.length; r++) this.lambda[r] = from[lambda + r]!;
-    for (let k = 0; k < this.factors.length; k++) this.factors[k] = from[factors + k]!;
+  adopt(y: Float64Array, last: number): void {
+    for (let i = 0; i < y.length; i++) this.y[i] = y[i]!;
+    this.complete = false;
+    this.factors[this.factors.length - 1] = last;
   }
 
   /** Generalized forces from outside at a state into `force` (n). */

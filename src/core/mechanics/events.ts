@@ -40,10 +40,11 @@ export function eventsOf(
       id: 'constraint-singular',
       looks: 1,
       value: (t, q, v) => {
-        dynamics.prepare(t, q, v);
         // Only the sign counts; the eigenvalue itself is needed near zero alone.
-        const bound = dynamics.independenceBound();
-        return (bound > SINGULAR_BELOW ? bound : dynamics.independence(t, q, v)) - SINGULAR_BELOW;
+        const bound = dynamics.independenceBoundAt(t, q, v);
+        if (bound > SINGULAR_BELOW) return bound - SINGULAR_BELOW;
+        dynamics.prepare(t, q, v);
+        return dynamics.independence(t, q, v) - SINGULAR_BELOW;
       },
       message: (t) =>
         `constraint-singular: the constraints became dependent at t = ${t.toFixed(3)} s${dependentWords(system.meta, dynamics.constraints?.id)}`,

@@ -54,8 +54,11 @@ export interface SystemParts {
   tape?: boolean;
 }
 
+/** Systems that were asked for, by id and parts: a sweep asks for the same one a thousand times. */
+const loaded = new Map<string, Promise<System>>();
+
 /**
- * A system with its dynamics.
+ * A system with its dynamics, made once.
  *
  * @param id of the system
  * @param parts everything, where not said
@@ -63,10 +66,19 @@ export interface SystemParts {
  */
 export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  return folder && systemIn(folder, parts);
+  if (!folder) return undefined;
+  const { jacobians = true, tape = true } = parts;
+  const key = `${id} ${jacobians} ${tape}`;
+  const known = loaded.get(key);
+  if (known) return known;
+  const system = systemIn(folder, jacobians, tape);
+  loaded.set(key, system);
+  // What could not be fetched is asked for again.
+  system.catch(() => loaded.delete(key));
+  return system;
 }
 
-async function systemIn(folder: SystemFolder, { jacobians = true, tape = true }: SystemParts): Promise<System> {
+async function systemIn(folder: SystemFolder, jacobians: boolean, tape: boolean): Promise<System> {
   const [values, slopes, data] = await Promise.all([
     folder.equations(),
     jacobians ? folder.jacobians() : undefined,

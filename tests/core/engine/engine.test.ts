@@ -47,7 +47,7 @@ describe('accelerations in WebAssembly', () => {
     memory.set(c, layout.constants);
     const [y, f, rate] = [new Float64Array(2 * n), new Float64Array(n), new Float64Array(2 * n)];
     const [lambda, factors] = [new Float64Array(set.rows), new Float64Array(direct.factorCount)];
-    const [at, to] = layout.steps;
+    const [at, to] = [layout.steps, layout.steps + layout.place];
     const part = (from: number, length: number): Float64Array => memory.slice(from, from + length);
     for (let state = 0; state < STATES; state++) {
       // Ever larger angles: every quadrant, and ranges that lose digits.
@@ -126,4 +126,20 @@ test('two runs that take turns on one machine leave each other alone', () => {
     const { columns } = simulation.takeChunk();
     expect(columns.map(bits)).toEqual(alone.columns.slice(0, columns.length));
   }
+});
+
+test('steps computed ahead are dropped where the run is held up, or goes on otherwise', () => {
+  const held = (engine: 'wasm' | 'typescript') => {
+    const scenario = checkScenario(
+      { ...falling, duration: 1, events: { touchdown: 'ignore' }, method: { engine } },
+      metas,
+    );
+    const simulation = new Simulation(scenario, systems['ripstik']!, { extras: ['lambda'] });
+    for (const horizon of [0.1, 0.11, 0.3, 0.7, Infinity]) {
+      simulation.horizon = horizon;
+      simulation.advance(() => false);
+    }
+    return { end: simulation.end, counts: simulation.counts, columns: simulation.takeChunk().columns.map(bits) };
+  };
+  expect(held('wasm')).toEqual(held('typescript'));
 });

@@ -14,7 +14,7 @@ export abstract class AdaptiveOneStep extends AdaptiveStepper {
   protected readonly error: Float64Array;
   /** `startSlope` is f(t, y). */
   protected fresh = false;
-  private readonly controller: PiController;
+  protected readonly controller: PiController;
   private readonly startOrder: number;
   /** The step is not to be trusted: it was chosen before a jump. */
   private restarted = false;

@@ -11,29 +11,35 @@ export const SAFETY = 0.9;
 export const SHRINK_MOST = 0.2;
 export const GROW_MOST = 10;
 /** Weight of the previous error; 0.04 is DOPRI5's choice for stability on mildly stiff problems. */
-const BETA = 0.04;
+export const BETA = 0.04;
+/** The controller takes no error for smaller than this. */
+export const LEAST_ERROR = 1e-4;
+
+/** @param order the order of the error estimate plus one, k in err ~ h^k */
+export const piExponent = (order: number): number => 1 / order - 0.75 * BETA;
 
 /** A step below this many units in the last place of t cannot advance it reliably. */
-const SMALLEST_ULPS = 16;
+export const SMALLEST_ULPS = 16;
 /** First step where f is not a number near the start, so that its size says nothing. */
 const CAUTIOUS_STEP = 1e-6;
 /** A step that would end within this fraction of itself before the limit is stretched to it, as far as its bound allows. */
-const STRETCH = 1.01;
+export const STRETCH = 1.01;
 /** Many equal steps, as long as their bound, miss the limit by rounding: this much longer is as long as the bound. */
-const ROUNDING = 1 + 1e-6;
+export const STEP_ROUNDING = 1 + 1e-6;
 
 export class PiController {
   private readonly exponent: number;
-  private lastError = 1e-4;
+  /** Of the last accepted step. */
+  lastError = LEAST_ERROR;
   private rejectedLast = false;
 
   /** @param order the order of the error estimate plus one, k in err ~ h^k */
   constructor(order: number) {
-    this.exponent = 1 / order - 0.75 * BETA;
+    this.exponent = piExponent(order);
   }
 
   reset(): void {
-    this.lastError = 1e-4;
+    this.lastError = LEAST_ERROR;
     this.rejectedLast = false;
   }
 
@@ -44,7 +50,7 @@ export class PiController {
   accept(error: number): number {
     const base = error > 0 ? SAFETY * Math.pow(error, -this.exponent) * Math.pow(this.lastError, BETA) : GROW_MOST;
     const factor = Math.min(this.rejectedLast ? 1 : GROW_MOST, Math.max(SHRINK_MOST, base));
-    this.lastError = Math.max(error, 1e-4);
+    this.lastError = Math.max(error, LEAST_ERROR);
     this.rejectedLast = false;
     return factor;
   }
@@ -139,7 +145,7 @@ export function fixedWithin(h: number, left: number, most: number): number {
 }
 
 function reaches(step: number, left: number, most: number): boolean {
-  return STRETCH * step >= left && left <= ROUNDING * most;
+  return STRETCH * step >= left && left <= STEP_ROUNDING * most;
 }
 
 /**

@@ -6,6 +6,7 @@ import { cases } from '../src/core/systems/registry.ts';
 import { feedbackOf } from '../src/core/control/design/feedback.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import { judgeMotion } from '../src/core/simulation/judge.ts';
+import '../src/core/simulation/everyMotion.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/all.ts';
 import { writeCsv } from '../src/csv/csv.ts';

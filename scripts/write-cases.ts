@@ -8,6 +8,7 @@ import { compileExpression } from '../src/core/scenario/expressions.ts';
 import { axisText, columnOf, symbolOf } from '../src/core/motion/columns.ts';
 import { words } from '../src/core/motion/symbols.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
+import '../src/core/simulation/everyMotion.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import type { System } from '../src/core/model/system.ts';
 import { systems } from '../src/core/systems/all.ts';

@@ -4,6 +4,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { cases } from '../src/core/systems/registry.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../src/core/scenario/types.ts';
+import '../src/core/simulation/everyMotion.ts';
 import { Simulation } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/all.ts';
 import { csvComments, csvHeader } from '../src/csv/csv.ts';

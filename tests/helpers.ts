@@ -2,6 +2,7 @@ import { feedbackOf } from '../src/core/control/design/feedback.ts';
 export { seeded } from '../src/cli/bench/states.ts';
 import { checkScenario } from '../src/core/scenario/schema.ts';
 import type { Scenario } from '../src/core/scenario/types.ts';
+import '../src/core/simulation/everyMotion.ts';
 import { Simulation, type RunCounts, type RunEnd } from '../src/core/simulation/simulation.ts';
 import { systems } from '../src/core/systems/all.ts';
 

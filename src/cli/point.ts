@@ -1,5 +1,6 @@
 import { feedbackOf } from '../core/control/design/feedback.ts';
 import type { Scenario } from '../core/scenario/types.ts';
+import '../core/simulation/everyMotion.ts';
 import { Simulation } from '../core/simulation/simulation.ts';
 import type { System } from '../core/model/system.ts';
 

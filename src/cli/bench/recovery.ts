@@ -2,6 +2,7 @@
 import { feedbackOf } from '../../core/control/design/feedback.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
+import '../../core/simulation/everyMotion.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
 import { systems } from '../../core/systems/all.ts';
 

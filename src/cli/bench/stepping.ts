@@ -1,6 +1,7 @@
 import { cases } from '../../core/systems/registry.ts';
 import { methods } from '../../core/integrators/methods.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
+import '../../core/simulation/everyMotion.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
 import { systems } from '../../core/systems/all.ts';
 import type { Caller, Job } from './apart.ts';

@@ -1,3 +1,4 @@
+import { needsEveryMotion } from '../../core/simulation/motion.ts';
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, partsOf, systemOf } from './load.ts';
@@ -15,7 +16,10 @@ async function compute(
   { scenario, from, live, soonest = false }: RunRequest,
   { signal, emit, onUpdate }: Caller<RunEvent, Live>,
 ): Promise<RunResult> {
-  const system = await systemOf(scenario, partsOf(scenario, live !== undefined, soonest));
+  const [system] = await Promise.all([
+    systemOf(scenario, partsOf(scenario, live !== undefined, soonest)),
+    soonest && !needsEveryMotion(scenario.method) ? null : import('../../core/simulation/everyMotion.ts'),
+  ]);
   const feedback = await feedbackFor(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
   let seconds = 0;

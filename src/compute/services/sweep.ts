@@ -1,6 +1,7 @@
 import { extrasFor, needsRows, RunMeasurer } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
+import '../../core/simulation/everyMotion.ts';
 import { Simulation } from '../../core/simulation/simulation.ts';
 import type { System } from '../../core/model/system.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';

@@ -1,4 +1,4 @@
-import { embeddedPairs } from '../integrators/registry.ts';
+import { embeddedPairs } from '../integrators/explicit.ts';
 import type { OdeProblem, StepperOptions } from '../integrators/contract.ts';
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { machineFor } from './machine.ts';

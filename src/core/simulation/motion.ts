@@ -1,18 +1,15 @@
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { FirstOrder } from '../mechanics/firstOrder.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
 import { formulations } from '../mechanics/formulations/formulations.ts';
-import { createFormulation } from '../mechanics/formulations/registry.ts';
-import { wasmStepper } from '../engine/choose.ts';
-import { StabilizedDae } from '../mechanics/stabilizedDae.ts';
-import { FirstOrder, FirstOrderResidual } from '../mechanics/firstOrder.ts';
+import { Multipliers } from '../mechanics/formulations/multipliers.ts';
 import type { OdeProblem, Stepper } from '../integrators/contract.ts';
-import { Ida } from '../integrators/multistep/ida.ts';
+import { explicitSteppers } from '../integrators/explicit.ts';
 import { methods, type MethodInfo } from '../integrators/methods.ts';
-import { createStepper } from '../integrators/registry.ts';
 import { ScenarioError, type EngineId, type MethodOptions } from '../scenario/types.ts';
 
-/** The formulation that WebAssembly is written for. */
-const MULTIPLIERS: (typeof formulations)[number]['id'] = 'multipliers';
+/** The formulation that WebAssembly is written for, and that is taken where none is named. */
+export const MULTIPLIERS: (typeof formulations)[number]['id'] = 'multipliers';
 
 /** What a run advances in time, and what its y means. */
 export interface Motion {
@@ -24,47 +21,41 @@ export interface Motion {
   problem?: OdeProblem;
 }
 
+export type MakeMotion = (info: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem) => Motion;
+
+/** Makes every motion, once `everyMotion.ts` is imported; until then explicit methods on multipliers alone. */
+let make: MakeMotion = plainMotion;
+
+/** @param maker in place of the one that makes plain motions only */
+export function makeMotionsBy(maker: MakeMotion): void {
+  make = maker;
+}
+
+/** Whether a method asks for more than explicit steps on multipliers in TypeScript. */
+export const needsEveryMotion = ({ name, formulation = MULTIPLIERS }: MethodOptions): boolean =>
+  !Object.hasOwn(explicitSteppers, name) || formulation !== MULTIPLIERS;
+
 /**
- * Every stepper on every formulation, or `ida` on the residual as it is.
+ * What advances a run.
  *
  * A step of `ida` can pass over a state with dependent constraints: there only the run's event (or projection) stops it.
  *
  * @throws ScenarioError
  */
 export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Motion {
-  const info = infoOf(method);
-  if (dynamics.system.firstOrder) return firstOrderMotion(info, method, dynamics);
-  if (info.id === 'ida') {
-    if (method.formulation !== undefined)
-      throw new ScenarioError('method.formulation', 'is for every method but ida, which takes the residual as it is');
-    const dae = new StabilizedDae(dynamics);
-    return { engine: 'typescript', map: dae, stepper: new Ida(dae, method) };
-  }
-  const id = method.formulation ?? formulations[0].id;
-  const formulation = createFormulation(id, dynamics);
-  if (!formulation)
-    throw new ScenarioError(
-      'method.formulation',
-      `"${id}" is not available; right would be ${formulations.map((f) => f.id).join(', ')}`,
-    );
-  const wasm =
-    method.engine !== 'typescript' && id === MULTIPLIERS ? wasmStepper(info.id, formulation, dynamics, method) : null;
-  return {
-    engine: wasm ? 'wasm' : 'typescript',
-    map: formulation,
-    stepper: wasm ?? createStepper(info.id, formulation, method)!,
-    problem: formulation,
-  };
+  return make(infoOf(method), method, dynamics);
 }
 
-/** There is nothing to formulate, so any formulation is the same. */
-function firstOrderMotion({ id }: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem): Motion {
-  const map = new FirstOrder(dynamics);
-  return {
-    engine: 'typescript',
-    map,
-    stepper: id === 'ida' ? new Ida(new FirstOrderResidual(map), method) : createStepper(id, map, method)!,
-  };
+/** Explicit steps on multipliers in TypeScript: what the first run of a page takes, before the rest is loaded. */
+function plainMotion({ id }: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem): Motion {
+  if (needsEveryMotion(method)) throw new Error(`${id} is not loaded here: import simulation/everyMotion.ts`);
+  const create = explicitSteppers[id as keyof typeof explicitSteppers];
+  if (dynamics.system.firstOrder) {
+    const map = new FirstOrder(dynamics);
+    return { engine: 'typescript', map, stepper: create(map, method) };
+  }
+  const formulation = new Multipliers(dynamics);
+  return { engine: 'typescript', map: formulation, stepper: create(formulation, method), problem: formulation };
 }
 
 function infoOf({ name, stages }: MethodOptions): MethodInfo {

@@ -1,7 +1,7 @@
 // Both engines give the same bits: accelerations at random states, and whole runs with projection, events, forces and rows.
 import { describe, expect, test } from 'vitest';
 import { machineFor } from '../../../src/core/engine/machine.ts';
-import { embeddedPairs } from '../../../src/core/integrators/registry.ts';
+import { embeddedPairs } from '../../../src/core/integrators/explicit.ts';
 import { dopri5 } from '../../../src/core/integrators/runge-kutta/tableaus/dopri5.ts';
 import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';

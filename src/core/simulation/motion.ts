@@ -1,7 +1,7 @@
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { FirstOrder } from '../mechanics/firstOrder.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
-import { formulations } from '../mechanics/formulations/formulations.ts';
+import type { formulations } from '../mechanics/formulations/formulations.ts';
 import { Multipliers } from '../mechanics/formulations/multipliers.ts';
 import type { OdeProblem, Stepper } from '../integrators/contract.ts';
 import { explicitSteppers } from '../integrators/explicit.ts';

@@ -65,6 +65,7 @@ export const f64 = {
   ge: two(0x66),
   abs: one(0x99),
   neg: one(0x9a),
+  ceil: one(0x9b),
   floor: one(0x9c),
   sqrt: one(0x9f),
   add: two(0xa0),
@@ -73,6 +74,8 @@ export const f64 = {
   div: two(0xa3),
   min: two(0xa4),
   max: two(0xa5),
+  /** From a truth, i32. */
+  convert: one(0xb7),
 };
 
 export const i32 = {

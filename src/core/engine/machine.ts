@@ -4,18 +4,9 @@
  */
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import type { Tape } from '../model/tape.ts';
+import { compiles, instantiate } from './host.ts';
 import { layoutOf, type Contact, type Layout } from './layout.ts';
 import { writeProgram } from './program.ts';
-
-/** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
-const host = (
-  globalThis as {
-    WebAssembly?: {
-      Module: new (bytes: Uint8Array<ArrayBuffer>) => object;
-      Instance: new (module: object, imports: object) => { exports: unknown };
-    };
-  }
-).WebAssembly;
 
 interface Exports {
   memory: { buffer: ArrayBuffer };
@@ -51,9 +42,9 @@ export class Machine {
   readonly layout: Layout;
   private tenant: Tenant | null = null;
 
-  constructor(module: object, layout: Layout) {
+  constructor(bytes: Uint8Array<ArrayBuffer>, layout: Layout) {
     const force = (t: number, address: number): void => this.tenant!.force(t, address);
-    const exports = new host!.Instance(module, { host: { force, pow: Math.pow } }).exports as Exports;
+    const exports = instantiate(bytes, { force }) as Exports;
     this.run = exports;
     this.memory = new Float64Array(exports.memory.buffer);
     this.layout = layout;
@@ -101,19 +92,5 @@ export function machineFor(
 /** A page's policy may refuse WebAssembly, and so may a host that has none: TypeScript does the work then. */
 function compiled(kind: Parameters<typeof writeProgram>[0]): Machine | null {
   if (!compiles()) return null;
-  return new Machine(new host!.Module(writeProgram(kind)), layoutOf(kind));
+  return new Machine(writeProgram(kind), layoutOf(kind));
 }
-
-let may: boolean | undefined;
-function compiles(): boolean {
-  if (may !== undefined) return may;
-  try {
-    may = host !== undefined && new host.Module(PROBE) !== null;
-  } catch {
-    may = false;
-  }
-  return may;
-}
-
-/** The smallest module there is: whether any may be compiled. */
-const PROBE = Uint8Array.of(0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00);

@@ -3,32 +3,33 @@
  * WebAssembly: the same operations in the same order as in `accelerations.generated.ts`, and so the same bits.
  */
 import type { Op, Tape } from '../model/tape.ts';
-import { f64, get, i32, select, set, type Code, type Func } from './assembler.ts';
-
-/** Range reduction and polynomials of derivation/trigonometry.py. */
-const ROUNDER = 1.5 * 2 ** 52;
-const TWO_OVER_PI = 0.6366197723675814;
-const HALF_PI = [1.57079632673412561417, 6.0771005063039659766e-11, 2.02226624879595063154e-21] as const;
-const SINE = [
-  -1.66666666666666324348e-1, 8.33333333332248946124e-3, -1.98412698298579493134e-4, 2.75573137070700676789e-6,
-  -2.50507602534068634195e-8, 1.58969099521155010221e-10,
-];
-const COSINE = [
-  4.16666666666666019037e-2, -1.38888888888741095749e-3, 2.48015872894767294178e-5, -2.75573143513906633035e-7,
-  2.0875723212981748279e-9, -1.13596475577881948265e-11,
-];
+import { call, f64, get, i32, select, set, type Code, type Func } from './assembler.ts';
+import { COSINE, HALF_PI, ROUNDER, SINE, TWO_OVER_PI } from './trigonometry.ts';
 
 const binary: Readonly<Record<string, (a: Code, b: Code) => Code>> = {
   add: f64.add,
   sub: f64.sub,
   mul: f64.mul,
   div: f64.div,
+  lt: (a, b) => f64.convert(f64.lt(a, b)),
+  le: (a, b) => f64.convert(f64.le(a, b)),
+  eq: (a, b) => f64.convert(f64.eq(a, b)),
+};
+
+const unary: Readonly<Record<string, (a: Code) => Code>> = {
+  neg: f64.neg,
+  sqrt: f64.sqrt,
+  abs: f64.abs,
+  floor: f64.floor,
+  ceil: f64.ceil,
 };
 
 /** Where a function finds what its values are made of: an entry of an array, or a value that is at hand. */
 export interface Places {
   input(array: string, position: number): Code;
   known: ReadonlyMap<number, Code>;
+  /** Functions that WebAssembly has no instruction for. */
+  host?(name: string): Func | undefined;
 }
 
 /**
@@ -61,7 +62,7 @@ export function compute(
     else if (uses.has(i)) keep(i, made);
   }
   for (const i of order) {
-    const [kind, first, second] = ops[i]!;
+    const [kind, first, second, third] = ops[i]!;
     if (kind === 'const') {
       ready.set(i, f64.const(first as number));
       continue;
@@ -72,9 +73,11 @@ export function compute(
       let angle = angles.get(first as number);
       if (!angle) angles.set(first as number, (angle = sineAndCosine(func, value(first as number), code)));
       made = angle[kind];
-    } else if (kind === 'neg') made = f64.neg(value(first as number));
-    else if (kind === 'sqrt') made = f64.sqrt(value(first as number));
+    } else if (unary[kind]) made = unary[kind](value(first as number));
+    else if (kind === 'select')
+      made = select(value(second!), value(third!), f64.ne(value(first as number), f64.const(0)));
     else if (binary[kind]) made = binary[kind](value(first as number), value(second!));
+    else if (places.host?.(kind)) made = call(places.host(kind)!, ...argumentsOf(ops[i]!).map(value));
     else throw new Error(`a tape for WebAssembly cannot hold the operation "${kind}"`);
     if (uses.get(i)! > 1 || kind === 'sin' || kind === 'cos') keep(i, made);
     else ready.set(i, made);
@@ -136,7 +139,8 @@ export function reached(ops: readonly Op[], wanted: readonly number[], known: Re
   return [...seen].sort((a, b) => a - b);
 }
 
-function argumentsOf([kind, first, second]: Op): readonly number[] {
+function argumentsOf([kind, first, second, third]: Op): readonly number[] {
   if (kind === 'input' || kind === 'const') return [];
+  if (third !== undefined) return [first as number, second!, third];
   return second === undefined ? [first as number] : [first as number, second];
 }

@@ -21,8 +21,16 @@ import {
 import { BYTES, constantsOf, fail, load, store, type Kind, type Layout } from './layout.ts';
 import { compute, type Places } from './tape.ts';
 
+/** Functions of the host, by name. */
+type Functions = ReadonlyMap<string, Func>;
+
 /** accelerations(y, rate), with lambda and factors to their places. */
-export function accelerationsOf(module: Module, { tape, set: values, n }: Kind, layout: Layout): Func {
+export function accelerationsOf(
+  module: Module,
+  { tape, set: values, n }: Kind,
+  layout: Layout,
+  functions: Functions,
+): Func {
   const func = module.func([I32, I32], [I32], 'accelerations');
   const [y, rate] = [0, 1] as const;
   const places: Places = {
@@ -33,6 +41,7 @@ export function accelerationsOf(module: Module, { tape, set: values, n }: Kind, 
           ? f64.load(get(y), (n + position) * BYTES)
           : load((array === 'f' ? layout.force : fail(array)) + position),
     known: constantsOf(tape, layout),
+    host: (name) => functions.get(name),
   };
   const wanted = [...values.rate, ...values.lambda, ...values.factors, ...values.larger, ...values.smaller];
   const { code, value } = compute(func, tape, wanted, places);
@@ -55,7 +64,13 @@ export function accelerationsOf(module: Module, { tape, set: values, n }: Kind, 
 }
 
 /** project(y) in place, as Projection.project at the end of a step. @returns a function that gives 0 where it cannot */
-export function projectionOf(module: Module, kind: Kind, layout: Layout, accelerations: Func): Func {
+export function projectionOf(
+  module: Module,
+  kind: Kind,
+  layout: Layout,
+  functions: Functions,
+  accelerations: Func,
+): Func {
   const { tape, set: values, n, contact, tableau } = kind;
   const measure = module.func([I32], []);
   {
@@ -63,6 +78,7 @@ export function projectionOf(module: Module, kind: Kind, layout: Layout, acceler
       input: (array, position) =>
         f64.load(get(0), (position + (array === 'q' ? 0 : array === 'v' ? n : fail(array))) * BYTES),
       known: constantsOf(tape, layout),
+      host: (name) => functions.get(name),
     });
     measure.body = [
       code,
@@ -76,6 +92,7 @@ export function projectionOf(module: Module, kind: Kind, layout: Layout, acceler
     const { code, value } = compute(shift, tape, values.shift, {
       input: (array, position) => (array === 'g' ? load(layout.change + position) : fail(array)),
       known: new Map(values.factors.slice(0, -1).map((i, k) => [i, load(layout.factors + k)])),
+      host: (name) => functions.get(name),
     });
     shift.body = [
       code,

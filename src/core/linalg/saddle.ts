@@ -1,6 +1,12 @@
 import { back10, back4, factor10, factor4, forward10, forward4, rows10x4, solve10x4 } from './saddle10x4.generated.ts';
 
 /**
+ * A pivot of the scaled 4 x 4 system below this share of its diagonal (elsewhere: of the largest entry) is rounding:
+ * the constraint rows are then dependent. Well below the event's 1e-6, so that the event speaks first.
+ */
+export const DEPENDENT = 1e-13;
+
+/**
  * Kernels for the saddle-point system `[M -Omega^T; Omega 0]` by Cholesky factors of M and of its Schur complement
  * (Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5; Golub and Van Loan, Matrix Computations, 4th ed.,
  * sections 3.1 and 4.2). n coordinates, m rows, row-major, no allocation. The inverses of L's diagonal are kept,

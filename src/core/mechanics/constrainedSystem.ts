@@ -1,17 +1,11 @@
 import { maxAbs, symmetricEigenvalues } from '../linalg/dense.ts';
-import { saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
+import { DEPENDENT, saddleKernels, type SaddleKernels } from '../linalg/saddle.ts';
 import { DirectAccelerations } from './directAccelerations.ts';
 import type { Forcing } from './forcing.ts';
 import type { ConstraintSet, System } from '../model/system.ts';
 
 /** Why an acceleration could not be had. */
 export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | 'non-finite';
-
-/**
- * A pivot of the scaled 4 x 4 system below this share of its diagonal (elsewhere: of the largest entry) is rounding:
- * the constraint rows are then dependent. Well below the event's 1e-6, so that the event speaks first.
- */
-export const DEPENDENT = 1e-13;
 
 /**
  * A system with its parameters, constraint set, held coordinates and outside forces bound:

@@ -188,6 +188,13 @@ export interface SystemMeta {
   inputs: readonly InputMeta[];
   /** A word for straight ahead at a speed, where `initial` and `at` may say it: velocities `along` the heading's cosine and sine. */
   speed?: { name: string; label: string; along: readonly [string, string]; heading: string };
+  /**
+   * The coordinate that is the time, where what is driven or given by t makes a system depend on it: its rate is 1 from the
+   * start on, and nothing acts on it.
+   */
+  clock?: string;
+  /** Functions of the state that end a run by falling through zero, under some constraint sets or (where empty) all. */
+  events?: readonly { id: string; label: string; sets: readonly string[] }[];
   /** Sums of angles that have a name of their own, a plate's own roll: columns wherever coordinates are. */
   sums?: readonly SumMeta[];
   /** Which way is forward, where `speed` does not say it: the velocity along the heading is what gains are scheduled over. */
@@ -310,6 +317,15 @@ export interface System extends SystemView {
   optionalForces?: readonly {
     parameter: number;
     force(q: Float64Array, v: Float64Array, p: Float64Array, out: Float64Array): void;
+  }[];
+  /** Index of the coordinate that is the time; see the meta. */
+  clock?: number;
+  /** The events of the meta. */
+  crossings?: readonly {
+    id: string;
+    label: string;
+    sets: readonly string[];
+    value(q: Float64Array, v: Float64Array, p: Float64Array): number;
   }[];
   /** Lowest height above ground of the parts that may not touch it (m); `touchdown` is its downward crossing. */
   clearance?(q: Float64Array, p: Float64Array): number;

@@ -4,7 +4,7 @@
  */
 
 /** One operation; operands are positions of earlier ones. */
-export type Op = readonly [kind: string, first: number | string, second?: number];
+export type Op = readonly [kind: string, first: number | string, second?: number, third?: number];
 
 export interface Tape {
   readonly ops: readonly Op[];

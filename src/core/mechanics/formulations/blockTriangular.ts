@@ -1,6 +1,7 @@
 import { maxAbs } from '../../linalg/dense.ts';
 import { luFactor, luSolve } from '../../linalg/lu.ts';
-import { DEPENDENT, type ConstrainedSystem } from '../constrainedSystem.ts';
+import { DEPENDENT } from '../../linalg/saddle.ts';
+import type { ConstrainedSystem } from '../constrainedSystem.ts';
 import { AccelerationJacobian } from './accelerationJacobian.ts';
 import { blockOrder } from './blockOrder.ts';
 import type { Formulation } from './contract.ts';

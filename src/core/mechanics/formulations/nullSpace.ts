@@ -1,7 +1,8 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed } from '../../linalg/dense.ts';
 import { luFactor, luSolve } from '../../linalg/lu.ts';
 import { qrFull } from '../../linalg/qr.ts';
-import { DEPENDENT, type ConstrainedSystem } from '../constrainedSystem.ts';
+import { DEPENDENT } from '../../linalg/saddle.ts';
+import type { ConstrainedSystem } from '../constrainedSystem.ts';
 import { AccelerationJacobian } from './accelerationJacobian.ts';
 import type { Formulation } from './contract.ts';
 

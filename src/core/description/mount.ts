@@ -1,0 +1,215 @@
+/** A model as what the rest of the program takes: a view at once, a system when its equations are derived. */
+import type { ConstraintSet, ConstraintSetMeta, ContactMeta, System, SystemMeta, SystemView } from '../model/system.ts';
+import { checkEquations, solvedFor } from './checks.ts';
+import { equationsOf, jacobianOf, type Equations } from './derive.ts';
+import { directOf } from './direct.ts';
+import type { Id } from './graph.ts';
+import type { Model, SetModel } from './model.ts';
+import { Program, type Arrays, type Call } from './program.ts';
+
+/** What the page needs of a description to show a motion of it. @param id of the system, unique to its text */
+export function viewOf(model: Model, id: string): SystemView {
+  const poses = new Program(model.graph, { q: model.q, p: model.p }, { out: posesOf(model) }).interpreted();
+  return {
+    meta: metaOf(model, id),
+    poses: (q, p, out) => poses(q, p, out),
+    contacts: [],
+    tracks: model.tracks.map(({ body }) => ({ body, role: model.bodies[body]!.role ?? 'neutral' })),
+  };
+}
+
+function posesOf({ bodies }: Model): Id[] {
+  return bodies.flatMap(({ position, frame }) => [...position, ...frame.R]);
+}
+
+function metaOf(model: Model, id: string): SystemMeta {
+  return {
+    id,
+    title: model.title,
+    ...(model.mechanical ? {} : { order: 1 as const }),
+    coordinates: model.coordinates,
+    ...(model.clock === null ? {} : { clock: model.coordinates[model.clock]!.name }),
+    parameters: model.parameters,
+    parameterSets: model.presets,
+    constraintSets: model.sets.map((set) => setMeta(model, set)),
+    inputs: model.inputs,
+    ...(model.speed
+      ? { speed: { name: 'speed', label: 'forward speed', along: model.speed.along, heading: model.speed.heading } }
+      : {}),
+    ...(model.forward ? { forward: model.forward } : {}),
+    bodies: model.bodies.map((body) => ({ id: body.id, label: body.label, role: body.role ?? 'neutral' })),
+    ...(model.events.length > 0
+      ? { events: model.events.map((event) => ({ id: event.id, label: event.label, sets: event.sets })) }
+      : {}),
+  };
+}
+
+function setMeta(model: Model, set: SetModel): ConstraintSetMeta {
+  const { id, label, rows } = set;
+  if (rows.length === 0) return { id, label };
+  const heights = rows.flatMap(({ height }, k) => (height === null ? [] : [k]));
+  return {
+    id,
+    label,
+    rows: rows.length,
+    ...(heights.length > 0
+      ? {
+          contact: {
+            rows: heights,
+            solveFor: solvedFor(model, set).map((i) => model.coordinates[i]!.name),
+            points: heights.map((k) => rows[k]!.label || `the height of line ${rows[k]!.line}`).join(' and '),
+          },
+        }
+      : {}),
+  };
+}
+
+export interface DeriveOptions {
+  /** Told of every part; may stop the work by throwing. */
+  step?: (done: number, of: number) => void;
+}
+
+/**
+ * The system of a model: everything that the mechanics take.
+ *
+ * @throws DescriptionError that names the line of what makes it no system; GrowthError where it is too large
+ */
+export function systemOf(model: Model, id: string, { step }: DeriveOptions = {}): System {
+  const view = viewOf(model, id);
+  const { graph, q, v, p } = model;
+  const n = q.length;
+  const at = { q, v, p };
+  if (!model.mechanical) return firstOrderSystem(model, view);
+  const equations = equationsOf(model, step);
+  checkEquations(model, equations);
+  const { M, h } = equations;
+  const mechanics = lazy(model, () => [at, { M, h }]);
+  const a = Array.from({ length: n }, () => graph.input());
+  const jacobians = lazy(model, () => {
+    const residual = residualOf(model, equations, a);
+    return [{ q, v, a, p }, { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) }];
+  });
+  const energy = lazy(model, () => [at, { out: [clockless(model), model.potential] }]);
+  const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
+  return {
+    ...view,
+    mechanics: (...all) => mechanics(...all),
+    jacobians: (...all) => jacobians(...all),
+    energy: (...all) => energy(...all),
+    poseJacobian: (...all) => poseJacobian(...all),
+    constraintSets: Object.fromEntries(
+      equations.sets.map((set, k) => [set.id, constraintSet(model, view.meta, equations, k, a)]),
+    ),
+    ...(model.clock === null ? {} : { clock: model.clock }),
+    ...crossings(model),
+  };
+}
+
+/** A function that is derived when it is first called. */
+function lazy(model: Model, make: () => [inputs: Arrays, outputs: Arrays]): Call {
+  let call: Call | null = null;
+  return (...arrays) => {
+    call ??= new Program(model.graph, ...make()).tiered();
+    call(...arrays);
+  };
+}
+
+function residualOf({ graph, q }: Model, { M, h }: Equations, a: readonly Id[]): Id[] {
+  const n = q.length;
+  return h.map((x, i) => graph.sub(graph.sum(a.map((aj, j) => graph.mul(M[i * n + j]!, aj))), x));
+}
+
+/** The kinetic energy without what stands for the clock and for coordinates of first order. */
+function clockless(model: Model): Id {
+  const { graph, v } = model;
+  const still = [...model.rates.keys(), ...(model.clock === null ? [] : [model.clock])];
+  const half = graph.number(0.5);
+  const spurious = still.map((i) => {
+    const weight = i === model.clock ? graph.one : graph.number(2 ** -80);
+    return graph.mul(graph.mul(half, weight), graph.square(v[i]!));
+  });
+  return graph.sub(model.kinetic, graph.sum(spurious));
+}
+
+function constraintSet(model: Model, meta: SystemMeta, equations: Equations, k: number, a: readonly Id[]): ConstraintSet {
+  const { graph, q, v, p } = model;
+  const { id, rows, omega, gamma } = equations.sets[k]!;
+  const m = rows.length;
+  const at = { q, v, p };
+  const evaluate = lazy(model, () => [at, { omega, gamma }]);
+  const dynamics = lazy(model, () => [at, { M: equations.M, h: equations.h, omega, gamma }]);
+  const lambda = Array.from({ length: m }, () => graph.input());
+  const n = q.length;
+  const jacobians = lazy(model, () => {
+    const force = q.map((_, i) => graph.sum(lambda.map((l, r) => graph.mul(l, omega[r * n + i]!))));
+    const rate = gamma.map((g, r) => graph.add(g, graph.sum(a.map((x, i) => graph.mul(omega[r * n + i]!, x)))));
+    const velocities = rows.map((row) => row.velocity);
+    return [
+      { q, v, a, lambda, p },
+      {
+        forceQ: jacobianOf(graph, force, q),
+        rateQ: jacobianOf(graph, rate, q),
+        rateV: jacobianOf(graph, rate, v),
+        velocityQ: jacobianOf(graph, velocities, q),
+      },
+    ];
+  });
+  const { contact } = meta.constraintSets.find((set) => set.id === id)!;
+  const heights = lazy(model, () => [{ q, p }, { out: rows.flatMap(({ height }) => (height === null ? [] : [height])) }]);
+  return {
+    id,
+    rows: m,
+    evaluate: (...all) => evaluate(...all),
+    dynamics: (...all) => dynamics(...all),
+    jacobians: (...all) => jacobians(...all),
+    contact: contact
+      ? ({ ...contact, count: contact.rows.length, heights: (...all) => heights(...all) } satisfies ContactMeta & { points: string })
+      : null,
+    ...directOf(model, equations, k),
+  };
+}
+
+function firstOrderSystem(model: Model, view: SystemView): System {
+  const { graph, q, v, p } = model;
+  const n = q.length;
+  const f = q.map((_, i) => model.rates.get(i)!.value);
+  const rate = lazy(model, () => [{ q, p }, { out: f }]);
+  const jacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, f, q) }]);
+  const unit = Array.from({ length: n * n }, (_, k) => (k % (n + 1) === 0 ? graph.one : graph.zero));
+  const h = (): Id[] => graph.forward(f, new Map(q.map((id, i) => [id, v[i]!])));
+  const mechanics = lazy(model, () => [{ q, v, p }, { M: unit, h: h() }]);
+  const jacobians = lazy(model, () => {
+    const residual = h().map((x) => graph.neg(x));
+    return [{ q, v, p }, { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) }];
+  });
+  const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
+  return {
+    ...view,
+    mechanics: (...all) => mechanics(...all),
+    jacobians: (qs, vs, _a, ps, dq, dv) => jacobians(qs, vs, ps, dq, dv),
+    energy: (_q, _v, _p, out) => void out.fill(0),
+    poseJacobian: (...all) => poseJacobian(...all),
+    constraintSets: {},
+    firstOrder: { rate: (...all) => rate(...all), jacobian: (...all) => jacobian(...all) },
+    ...crossings(model),
+  };
+}
+
+/** What ends a run by falling through zero. */
+function crossings(model: Model): Pick<System, 'crossings'> {
+  if (model.events.length === 0) return {};
+  const { q, v, p, events } = model;
+  const values = lazy(model, () => [{ q, v, p }, { out: events.map(({ value }) => value) }]);
+  const out = new Float64Array(events.length);
+  return {
+    crossings: events.map(({ id, label, sets }, k) => ({
+      id,
+      label,
+      sets,
+      value(...state) {
+        values(...state, out);
+        return out[k]!;
+      },
+    })),
+  };
+}

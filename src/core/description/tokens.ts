@@ -1,0 +1,115 @@
+import type { Token } from '../scenario/expressions/reading.ts';
+
+/** What is wrong with a description: where, and what would be right. */
+export class DescriptionError extends Error {
+  override name = 'DescriptionError';
+  /** From 1; 0 where it concerns the whole. */
+  readonly line: number;
+  /** From 1. */
+  readonly column: number;
+  /** Characters that it concerns. */
+  readonly length: number;
+  /** The message without its place. */
+  readonly reason: string;
+
+  constructor(reason: string, line: number, column = 1, length = 1) {
+    super(line > 0 ? `line ${line}, column ${column}: ${reason}` : reason);
+    this.reason = reason;
+    this.line = line;
+    this.column = column;
+    this.length = length;
+  }
+}
+
+export type TokenKind = 'name' | 'number' | 'text' | 'unit' | 'sign';
+
+/** Positions count from 0 in the line. */
+export interface LineToken extends Token {
+  kind: TokenKind;
+}
+
+/** Characters that keyboards, documents and other programs bring, and what they stand for. */
+const SPELLINGS = new Map([
+  ['−', '-'],
+  ['–', '-'],
+  ['×', '*'],
+  ['·', '*'],
+  ['⋅', '*'],
+  ['÷', '/'],
+  ['π', 'pi'],
+  ['°', 'deg'],
+  ['º', 'deg'],
+  ['≤', '<='],
+  ['≥', '>='],
+  ['≠', '!='],
+  ['’', "'"],
+  ['′', "'"],
+]);
+const RAISED = new Map([...'⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻'].map((raised, i) => [raised, '0123456789+-'[i]!]));
+const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?['’′]?/y;
+const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
+const SIGN = /<=|>=|==|!=|[-+*/^<>?:(),=]/y;
+
+/** The tokens of one line; a "#" outside a text begins a comment. @throws DescriptionError */
+export function tokensOf(text: string, line: number): LineToken[] {
+  const tokens: LineToken[] = [];
+  const refuse = (reason: string, at: number, length = 1): never => {
+    throw new DescriptionError(reason, line, at + 1, length);
+  };
+  const found = (pattern: RegExp, at: number): string | null => {
+    pattern.lastIndex = at;
+    return pattern.exec(text)?.[0] ?? null;
+  };
+  for (let at = 0; at < text.length; ) {
+    const letter = text[at]!;
+    if (letter === '#') break;
+    if (/\s/.test(letter)) {
+      at++;
+      continue;
+    }
+    const put = (kind: TokenKind, shown: string, length = shown.length): void => {
+      tokens.push({ kind, text: shown, at, end: at + length });
+      at += length;
+    };
+    if (letter === '"' || letter === '“') {
+      const close = text.slice(at + 1).search(/["”]/);
+      if (close < 0) refuse('a closing " is missing', at, text.length - at);
+      put('text', text.slice(at + 1, at + 1 + close), close + 2);
+      continue;
+    }
+    if (letter === '[') {
+      const close = text.indexOf(']', at);
+      if (close < 0) refuse('a "]" is missing: a unit is written [m/s]', at, text.length - at);
+      put('unit', text.slice(at + 1, close).trim(), close + 1 - at);
+      continue;
+    }
+    if (RAISED.has(letter)) {
+      let end = at;
+      let exponent = '';
+      while (end < text.length && RAISED.has(text[end]!)) exponent += RAISED.get(text[end++]!);
+      tokens.push({ kind: 'sign', text: '^', at, end: at }, { kind: 'sign', text: '(', at, end: at });
+      for (const part of exponent.match(/[-+]|\d+/g) ?? [])
+        tokens.push({ kind: /\d/.test(part) ? 'number' : 'sign', text: part, at, end });
+      tokens.push({ kind: 'sign', text: ')', at: end, end });
+      at = end;
+      continue;
+    }
+    const spelled = SPELLINGS.get(letter);
+    if (spelled !== undefined && spelled !== "'") {
+      put(/^[a-z]/.test(spelled) ? 'name' : 'sign', spelled, 1);
+      continue;
+    }
+    const word = found(WORD, at);
+    const number = word ? null : found(NUMBER, at);
+    const sign = word || number ? null : found(SIGN, at);
+    if (word) put('name', word.replace(/[’′]$/, "'"), word.length);
+    else if (number) put('number', number);
+    else if (sign) put('sign', sign);
+    else if (letter === '%') refuse('"%" is not understood; a comment begins with #, a remainder is mod(a, b)', at);
+    else if (letter === ';') refuse('one statement a line: begin a new line in place of ";"', at);
+    else if (letter === '.') refuse('a "." stands within a number, or between a name and x, y or z', at);
+    else if (/\p{L}/u.test(letter)) refuse(`"${letter}" is spelled out: alpha, theta, phi`, at);
+    else refuse(`"${letter}" has no place here`, at);
+  }
+  return tokens;
+}

@@ -1,6 +1,6 @@
 import type { Compute } from '../compute/client/compute.ts';
 import { ScenarioError } from '../core/scenario/types.ts';
-import { systemViews } from '../core/systems/registry.ts';
+import { systemMetas, systemViews } from '../core/systems/registry.ts';
 import type { App, AppActions, AppState } from './app.ts';
 import { CsvExport } from './files/csvExport.ts';
 import { download } from './files/download.ts';
@@ -27,7 +27,7 @@ import { listenable } from './state/signals.ts';
 import { createStageLayout } from './state/stageLayout.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 
-export const systemMetas = Object.fromEntries(Object.entries(systemViews).map(([id, view]) => [id, view.meta]));
+export { systemMetas };
 
 /** What the person's system asks of every page. */
 export interface Preferences {

@@ -1,11 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { StartError } from '../core/mechanics/consistentStart.ts';
-import { cases } from '../core/systems/registry.ts';
+import { cases, learnSystemOf, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
 import { computerReport } from '../core/control/sampled/computerReport.ts';
+import { LONGEST_FILE } from '../core/scenario/defaults.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
-import { systems } from '../core/systems/all.ts';
+import type { System } from '../core/model/system.ts';
 import { bench } from './bench.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
@@ -25,10 +26,10 @@ const USAGE = `Usage:
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
-const metas = Object.fromEntries(Object.entries(systems).map(([id, system]) => [id, system.meta]));
-
-/** A scenario, and its JSON as it was written. */
-function readScenario(name: string | undefined): { scenario: Scenario; written: unknown } {
+/** A scenario, its JSON as it was written, and its system. */
+async function readScenario(
+  name: string | undefined,
+): Promise<{ scenario: Scenario; written: unknown; system: System }> {
   if (!name) throw new UsageError('which scenario? Name a JSON file');
   let text: string;
   try {
@@ -38,7 +39,23 @@ function readScenario(name: string | undefined): { scenario: Scenario; written: 
       `${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`,
     );
   }
-  return { scenario: parseScenario(text, metas), written: JSON.parse(text.replace(/^\ufeff/, '')) };
+  const scenario = await readFrom(text);
+  return { scenario, written: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };
+}
+
+/** Reads the description first, where the scenario holds one. */
+async function readFrom(text: string): Promise<Scenario> {
+  if (text.length <= LONGEST_FILE && /"description"/.test(text)) await learnSystemOf(parsed(text));
+  return parseScenario(text, metas);
+}
+
+/** JSON, or null for what is none: its fault is told when the scenario is read. */
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text.replace(/^\ufeff/, ''));
+  } catch {
+    return null;
+  }
 }
 
 function listCases(id: string | undefined): void {
@@ -82,17 +99,16 @@ async function main(args: readonly string[]): Promise<number> {
   if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
   switch (command) {
     case 'simulate': {
-      const { scenario, written } = readScenario(rest[0]);
-      return simulate(scenario, systems[scenario.system]!, { name: rest[0]!, out, written, verify });
+      const { scenario, written, system } = await readScenario(rest[0]);
+      return simulate(scenario, system, { name: rest[0]!, out, written, verify });
     }
     case 'point': {
-      const { scenario } = readScenario(rest[0]);
-      print(point(scenario, systems[scenario.system]!));
+      const { scenario, system } = await readScenario(rest[0]);
+      print(point(scenario, system));
       return 0;
     }
     case 'linearize': {
-      const { scenario } = readScenario(rest[0]);
-      const system = systems[scenario.system]!;
+      const { scenario, system } = await readScenario(rest[0]);
       print({ ...controlReport(scenario, system), ...computerReport(scenario, system) });
       return 0;
     }

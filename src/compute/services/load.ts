@@ -1,11 +1,15 @@
 import type { Feedback } from '../../core/mechanics/forcing.ts';
 import { ScenarioError, type Scenario } from '../../core/scenario/types.ts';
 import { methods } from '../../core/integrators/methods.ts';
-import { loadSystem, type SystemParts } from '../../core/systems/registry.ts';
+import { learnSystem, loadSystem, type SystemParts } from '../../core/systems/registry.ts';
 import type { System } from '../../core/model/system.ts';
 
 /** The equations of the system that a scenario names, and of no other. @throws ScenarioError */
-export async function systemOf({ system: id }: Pick<Scenario, 'system'>, parts?: SystemParts): Promise<System> {
+export async function systemOf(
+  { system: id, description }: Pick<Scenario, 'system' | 'description'>,
+  parts?: SystemParts,
+): Promise<System> {
+  if (description !== undefined) await learnSystem(description);
   const system = await loadSystem(id, parts);
   if (!system) throw new ScenarioError('system', `unknown system "${id}"`);
   return system;

@@ -7,11 +7,11 @@ import type { Id } from './graph.ts';
 import type { Model, SetModel } from './model.ts';
 import { Program, type Arrays, type Call } from './program.ts';
 
-/** What the page needs of a description to show a motion of it. @param id of the system, unique to its text */
-export function viewOf(model: Model, id: string): SystemView {
+/** What the page needs of a description to show a motion of it. @param id of the system, unique to its text @throws DescriptionError */
+export function viewOf(model: Model, id: string, text: string): SystemView {
   const poses = new Program(model.graph, { q: model.q, p: model.p }, { out: posesOf(model) }).interpreted();
   return {
-    meta: metaOf(model, id),
+    meta: { ...metaOf(model, id), description: text },
     poses: (q, p, out) => poses(q, p, out),
     contacts: [],
     tracks: model.tracks.map(({ body }) => ({ body, role: model.bodies[body]!.role ?? 'neutral' })),
@@ -74,8 +74,7 @@ export interface DeriveOptions {
  *
  * @throws DescriptionError that names the line of what makes it no system; GrowthError where it is too large
  */
-export function systemOf(model: Model, id: string, { step }: DeriveOptions = {}): System {
-  const view = viewOf(model, id);
+export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions = {}): System {
   const { graph, q, v, p } = model;
   const n = q.length;
   const at = { q, v, p };

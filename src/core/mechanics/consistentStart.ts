@@ -38,7 +38,7 @@ const UNREACHABLE = 1e-11;
  * Positions: with contact, the coordinates named in `contact.solveFor` are solved by damped Newton so that
  * all heights vanish. Velocities: those that `initial` does not name take the smallest change in the mass
  * metric, `min 1/2 dv^T M dv` subject to `Omega (v + dv) = 0` over the free entries; if no such change
- * exists, all give way: `v - M^-1 Omega^T (Omega M^-1 Omega^T)^-1 Omega v`. Held velocities are zero.
+ * exists, all give way: `v - M^-1 Omega^T (Omega M^-1 Omega^T)^-1 Omega v`. Held velocities are zero, a clock's is 1.
  * In a system of first order the velocities are its rates.
  *
  * @throws StartError when the ground can't be reached or the constraints are dependent at the start
@@ -60,7 +60,11 @@ export function consistentStart(
   }
   const asked = { q: q.slice(), v: v.slice() };
   const notes: string[] = [];
-  for (const i of hold) v[i] = 0;
+  const standStill = (): void => {
+    for (const i of hold) v[i] = 0;
+    if (system.clock !== undefined) v[system.clock] = asked.v[system.clock] = 1;
+  };
+  standStill();
 
   const dynamics = new ConstrainedSystem(system, parameters, constraintSet, hold, null);
   const contact = dynamics.constraints?.contact;
@@ -70,7 +74,7 @@ export function consistentStart(
     if (!moveFree(dynamics, q, v, free)) {
       notes.push('the named velocities contradict the constraints, so all velocities were projected onto them');
       v.set(asked.v);
-      for (const i of hold) v[i] = 0;
+      standStill();
     }
     if (!new Projection(dynamics).project(0, q, v)) {
       throw new StartError(

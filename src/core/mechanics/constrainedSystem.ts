@@ -25,13 +25,18 @@ export class ConstrainedSystem {
   readonly constraints: ConstraintSet | null;
   readonly n: number;
   readonly m: number;
+  /** What nothing moves: frozen coordinates, and the clock. */
   readonly held: readonly number[];
+  /** The coordinate whose rate is 1, where there is one. */
+  readonly clock: number | undefined;
 
   /** Mass matrix with held rows and columns replaced by the identity's; after `factor` its lower triangle holds L. */
   readonly massMatrix: Float64Array;
   readonly force: Float64Array;
   readonly omega: Float64Array;
   readonly gamma: Float64Array;
+  /** The clock's column of Omega, m: what its rate adds to Omega v. */
+  readonly drift: Float64Array;
   readonly heights: Float64Array;
   /** Omega v as last measured, m. */
   readonly slip: Float64Array;
@@ -77,13 +82,16 @@ export class ConstrainedSystem {
     this.constraints = constraintSet === 'none' ? null : (system.constraintSets[constraintSet] ?? null);
     this.n = system.meta.coordinates.length;
     this.m = this.constraints?.rows ?? 0;
-    this.held = hold;
+    this.clock = system.clock;
+    const { clock } = this;
+    this.held = clock === undefined || hold.includes(clock) ? hold : [...hold, clock];
     this.forcing = forcing;
     const { n, m } = this;
     this.massMatrix = new Float64Array(n * n);
     this.force = new Float64Array(n);
     this.omega = new Float64Array(m * n);
     this.gamma = new Float64Array(m);
+    this.drift = new Float64Array(m);
     this.contactCount = this.constraints?.contact?.count ?? 0;
     this.heights = new Float64Array(this.contactCount);
     this.slip = new Float64Array(m);
@@ -98,7 +106,7 @@ export class ConstrainedSystem {
     this.gammaFree = new Float64Array(m);
     this.preparedQ = new Float64Array(n);
     this.preparedV = new Float64Array(n);
-    const direct = way === 'shortest' && hold.length === 0 ? this.constraints?.direct : undefined;
+    const direct = way === 'shortest' && this.held.length === 0 ? this.constraints?.direct : undefined;
     this.direct = direct ? new DirectAccelerations(direct, parameters, n, m, forcing) : null;
   }
 
@@ -119,6 +127,7 @@ export class ConstrainedSystem {
     }
     this.forcing?.(t, q, v, this.force);
     const { n, m } = this;
+    this.keepDrift();
     for (const i of this.held) {
       for (let k = 0; k < n; k++) this.massMatrix[i * n + k] = this.massMatrix[k * n + i] = 0;
       this.massMatrix[i * n + i] = 1;
@@ -317,11 +326,16 @@ export class ConstrainedSystem {
     else this.constraintVelocity(v, this.slip);
   }
 
+  private keepDrift(): void {
+    const { n, m, clock, drift, omega } = this;
+    if (clock !== undefined) for (let r = 0; r < m; r++) drift[r] = omega[r * n + clock]!;
+  }
+
   /** Omega(q) as last evaluated, times v, into out (m). */
   constraintVelocity(v: Float64Array, out: Float64Array): void {
-    const { n, m, omega } = this;
+    const { n, m, omega, drift } = this;
     for (let r = 0; r < m; r++) {
-      let sum = 0;
+      let sum = drift[r]!;
       for (let k = 0; k < n; k++) sum += omega[r * n + k]! * v[k]!;
       out[r] = sum;
     }
@@ -331,6 +345,7 @@ export class ConstrainedSystem {
   refreshOmega(q: Float64Array, v: Float64Array): void {
     if (!this.constraints) return;
     this.constraints.evaluate(q, v, this.parameters, this.omega, this.gammaFree);
+    this.keepDrift();
     for (const i of this.held) for (let r = 0; r < this.m; r++) this.omega[r * this.n + i] = 0;
   }
 

@@ -3,7 +3,7 @@ import type { ConstrainedSystem } from './constrainedSystem.ts';
 
 /** A function of the state whose downward crossing of zero ends the run. */
 export interface EventFunction {
-  id: 'touchdown' | 'constraint-singular';
+  id: string;
   /** Evaluated at a state; positive before the event. */
   value(t: number, q: Float64Array, v: Float64Array): number;
   message(t: number): string;
@@ -23,8 +23,18 @@ export function eventsOf(
   dynamics: ConstrainedSystem,
   actions: Readonly<Record<string, 'stop' | 'ignore'>>,
 ): EventFunction[] {
-  if (!dynamics.constraints?.contact) return [];
   const list: EventFunction[] = [];
+  for (const { id, label, sets, value } of system.crossings ?? []) {
+    const here = sets.length === 0 || sets.includes(dynamics.constraints?.id ?? 'none');
+    if (!here || actions[id] === 'ignore') continue;
+    list.push({
+      id,
+      looks: 4,
+      value: (_t, q, v) => value(q, v, dynamics.parameters),
+      message: (t) => `${id}: ${label} at t = ${t.toFixed(3)} s`,
+    });
+  }
+  if (!dynamics.constraints?.contact) return list;
   if (system.clearance && actions['touchdown'] !== 'ignore') {
     const clearance = system.clearance;
     list.push({

@@ -89,7 +89,7 @@ export class StabilizedDae implements DaeProblem, StateMap {
   start(t: number, y: Float64Array, yp: Float64Array): boolean {
     const { dynamics: d, q, v, a, lambda } = this;
     this.toState(y, q, v);
-    for (const i of d.held) v[i] = 0;
+    for (const i of d.held) v[i] = i === d.clock ? 1 : 0;
     if (!d.acceleration(t, q, v, a, lambda)) return false;
     this.fromState(q, v, y);
     y.fill(0, 2 * d.n);
@@ -103,7 +103,7 @@ export class StabilizedDae implements DaeProblem, StateMap {
     const { dynamics: d, v, a, lambda, mu } = this;
     const { n, m } = d;
     this.evaluate(t, y, yp);
-    const { massMatrix, force, omega } = d;
+    const { massMatrix, force, omega, drift } = d;
     for (let i = 0; i < n; i++) {
       let slip = yp[i]! - v[i]!;
       let balance = -force[i]!;
@@ -116,7 +116,7 @@ export class StabilizedDae implements DaeProblem, StateMap {
       out[n + i] = balance;
     }
     for (let r = 0; r < m; r++) {
-      let sum = 0;
+      let sum = drift[r]!;
       for (let j = 0; j < n; j++) sum += omega[r * n + j]! * v[j]!;
       out[2 * n + r] = sum;
     }

@@ -178,6 +178,8 @@ export interface DataColumn {
 export interface SystemMeta {
   id: string;
   title: string;
+  /** The text that describes it, of a system that a person made. */
+  description?: string;
   /** Of the differential equations, 2 unless told otherwise; of order 1 the state is q alone, and there is no energy. */
   order?: 1 | 2;
   coordinates: readonly CoordinateMeta[];

@@ -14,6 +14,7 @@ import {
   MOST_SCHEDULED,
 } from './defaults.ts';
 import { jsonFault, placeIn } from './json.ts';
+import { descriptionIn, isOwn, ownId } from './own.ts';
 import {
   ENGINE_NAMES,
   ScenarioError,
@@ -86,12 +87,26 @@ function check(raw: unknown, systems: Metas): { scenario?: Scenario; errors: Map
       'version',
       file.has('version') ? `must be 1, not ${kindOf(file.get('version'))}` : 'is missing; it must be 1',
     );
-  const id = file.has('system')
-    ? c.oneOf('system', file.get('system'), Object.keys(systems))
-    : c.add('system', `is missing; right would be ${Object.keys(systems).join(', ')}`);
+  const id = systemId(c, file, systems);
   if (id === undefined) return { errors: c.errors };
   const scenario = checkSystem(c, file, id, systems[id]!);
   return { scenario, errors: c.errors };
+}
+
+/** By its id, or by its description, which has been read before (`core/systems/own.ts`). */
+function systemId(c: Checker, file: ReadonlyMap<string, unknown>, systems: Metas): string | undefined {
+  const system = file.get('system');
+  const builtIn = Object.keys(systems).filter((id) => !isOwn(id));
+  if (system === undefined)
+    return c.add('system', `is missing; right would be ${builtIn.join(', ')}, or {"description": "…"}`);
+  if (typeof system === 'string') return systems[system] ? system : c.oneOf('system', system, builtIn);
+  if (typeof system !== 'object' || system === null || Array.isArray(system))
+    return c.add('system', `must be one of ${builtIn.join(', ')}, or {"description": "…"}, not ${kindOf(system)}`);
+  c.entries('system', system, ['description']);
+  const text = descriptionIn({ system });
+  if (text === null) return c.add('system.description', 'must be the text of a description');
+  const id = ownId(text);
+  return systems[id] ? id : c.add('system.description', 'has not been read');
 }
 
 function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string, meta: SystemMeta): Scenario {
@@ -117,13 +132,17 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
       `${duration} s in steps of ${outputStep} s are more than ${MOST_ROWS} rows; take a larger step`,
     );
   const events: Scenario['events'] = {};
-  for (const [name, action] of c.entries('events', file.get('events'), EVENT_NAMES)) {
+  for (const [name, action] of c.entries('events', file.get('events'), [
+    ...EVENT_NAMES,
+    ...(meta.events ?? []).map((event) => event.id),
+  ])) {
     const known = c.oneOf(`events.${name}`, action, ['stop', 'ignore']);
     if (known) events[name] = known as 'stop' | 'ignore';
   }
   return {
     version: 1,
     system: id,
+    ...(meta.description === undefined ? {} : { description: meta.description }),
     parameterSet: set,
     parameters: checkParameters(c, file.get('parameters'), meta, set),
     constraints,

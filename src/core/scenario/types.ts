@@ -89,6 +89,8 @@ export interface ScenarioFile {
 export interface Scenario {
   version: 1;
   system: string;
+  /** The text that describes an own system. */
+  description?: string;
   parameterSet: string | null;
   /** Every parameter of the system, SI. */
   parameters: Record<string, number>;

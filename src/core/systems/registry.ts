@@ -14,6 +14,7 @@ import { casterRotation } from './caster-rotation/index.ts';
 import { casterboardRobot } from './casterboard-robot/index.ts';
 import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
 import type { SystemFolder } from './folder.ts';
+import { learn, learnFrom, loadOwn } from './own.ts';
 import { ripstik } from './ripstik/index.ts';
 import { ripstikRider } from './ripstik-rider/index.ts';
 import { rollingWheel } from './rolling-wheel/index.ts';
@@ -38,20 +39,49 @@ const folders: ReadonlyMap<string, SystemFolder> = new Map(registered.map((folde
 
 export const systemIds: readonly string[] = [...folders.keys()];
 
-/** Every system as the views know it, by id. */
-export const systemViews: Readonly<Record<string, SystemView>> = Object.fromEntries(
+/** Every system as the views know it, by id; what is learned from a description is put here too. */
+export const systemViews: Record<string, SystemView> = Object.fromEntries(
   registered.map(({ view }) => [view.meta.id, view]),
 );
+
+/** Their metas alone, as scenarios are checked against; always those of `systemViews`. */
+export const systemMetas: Readonly<Record<string, SystemMeta>> = new Proxy({} as Record<string, SystemMeta>, {
+  get: (_, id) => (Object.hasOwn(systemViews, id) ? systemViews[id as string]!.meta : undefined),
+  has: (_, id) => Object.hasOwn(systemViews, id),
+  ownKeys: () => Object.keys(systemViews),
+  getOwnPropertyDescriptor: (_, id) =>
+    Object.hasOwn(systemViews, id)
+      ? { value: systemViews[id as string]!.meta, enumerable: true, configurable: true }
+      : undefined,
+});
+
+/** Reads a description, whose system is known by its id from then on. @throws ScenarioError */
+export const learnSystem = (text: string): Promise<SystemView> => learn(text, systemViews);
+
+/** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
+export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, systemViews);
 
 /** Every built-in case. The first one is what the page opens with. */
 export const cases: readonly Case[] = registered.flatMap((folder) => folder.cases);
 
+<<<<<<< HEAD
 /** What of a system's equations is loaded. */
 export interface SystemParts {
   /** Left out, whatever asks for a Jacobian throws: explicit methods without a regulator or a push need none. */
   jacobians?: boolean;
   /** The accelerations as data, for WebAssembly. */
   tape?: boolean;
+=======
+/**
+ * A system with its dynamics.
+ *
+ * @param id of the system
+ * @returns undefined where there is none of that name
+ */
+export function loadSystem(id: string): Promise<System> | undefined {
+  const folder = folders.get(id);
+  return folder ? systemIn(folder) : loadOwn(id);
+>>>>>>> bde1ceb (scenario: a system by its description, for the command line and the worker)
 }
 
 /** Systems that were asked for, by id and parts: a sweep asks for the same one a thousand times. */

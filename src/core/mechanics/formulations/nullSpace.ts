@@ -21,6 +21,8 @@ import type { Formulation } from './contract.ts';
  *     B = E(q) Q1,  T = B^-1 E(q) N0,  N = N0 - Q1 T,   so that  E N = 0 and N0^T N = I;
  *     v = N s,  a = a_p + N s_dot,  a_p = -Q1 B^-1 gamma,  N^T M N s_dot = N^T (h + B u - M a_p).
  *
+ * Where a clock's rate is 1 whatever happens, `E v = e` in place of 0, and `v = N s + Q1 B^-1 e`.
+ *
  * The singular values of T are the tangents of the angles between the two null spaces (Golub and Van Loan, Matrix
  * Computations, 4th ed., section 6.4.3), so T alone tells how far the chart reaches.
  *
@@ -180,7 +182,17 @@ export class NullSpace implements Formulation {
       for (let j = 0; j < k; j++) sum += N[i * k + j]! * y[n + j]!;
       v[i] = sum;
     }
+    if (this.dynamics.clock !== undefined) this.addClock();
     return true;
+  }
+
+  /** v += Q1 B^-1 e: a clock's rate is 1, and what moves with it. */
+  private addClock(): void {
+    const { dynamics: d, n, v, w, column } = this;
+    for (let r = 0; r < d.m; r++) w[r] = d.drift[r]!;
+    d.held.forEach((i, r) => (w[d.m + r] = i === d.clock ? -1 : 0));
+    this.across(w, column);
+    for (let i = 0; i < n; i++) v[i]! += column[i]!;
   }
 
   /** x = -Q1 B^-1 w, for what the constraints ask for on their own; w (c) is overwritten. */

@@ -1,0 +1,36 @@
+/**
+ * Systems that a person describes (docs/own-systems.md), as scenarios name them. Outside, in files, links and calls of a
+ * worker, `system` is `{"description": "…"}`; inside, it is an id made of the text, under which the system is known once the
+ * text has been read (`core/systems/own.ts`).
+ */
+import type { SystemMeta } from '../model/system.ts';
+
+export const OWN = 'own-';
+
+/** The id of a text: 64 bits (FNV-1a from two starts). */
+export function ownId(text: string): string {
+  let [a, b] = [0x811c9dc5, 0x2c1b3c6d];
+  for (let i = 0; i < text.length; i++) {
+    const c = text.charCodeAt(i);
+    a = Math.imul(a ^ c, 0x01000193);
+    b = Math.imul(b ^ c, 0x01000193) ^ (b >>> 15);
+  }
+  return `${OWN}${(a >>> 0).toString(36)}${(b >>> 0).toString(36)}`;
+}
+
+export const isOwn = (id: string): boolean => id.startsWith(OWN);
+
+/** The text that a raw scenario holds; null where it names a system, or nothing. */
+export function descriptionIn(raw: unknown): string | null {
+  const system = (raw as { system?: { description?: unknown } } | null | undefined)?.system;
+  return typeof system === 'object' && typeof system?.description === 'string' ? system.description : null;
+}
+
+/** A scenario as it is written: an own system by its description. */
+export function written<S extends { system: string }>(
+  scenario: S,
+  systems: Readonly<Record<string, Pick<SystemMeta, 'description'>>>,
+): Omit<S, 'system'> & { system: string | { description: string } } {
+  const text = systems[scenario.system]?.description;
+  return text === undefined ? scenario : { ...scenario, system: { description: text } };
+}

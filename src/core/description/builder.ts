@@ -95,7 +95,9 @@ export class Builder implements Scope {
 
   rate(ids: readonly Id[]): Id[] {
     if (this.graph.reach(ids).some((i) => this.vIds.has(i)))
-      throw new RateError('this has a rate in it, and the rate of a rate is an acceleration, which the equations of motion give');
+      throw new RateError(
+        'this has a rate in it, and the rate of a rate is an acceleration, which the equations of motion give',
+      );
     return this.graph.forward(ids, this.rateOf);
   }
 
@@ -114,7 +116,8 @@ export class Builder implements Scope {
 
   /** The same expression, which may have no rates in it. */
   ofPlace(r: Reader, id: Id): Id {
-    if (this.graph.depends(id, this.vIds)) r.fail('this may have no rates in it, only coordinates and parameters', r.tokens[1]);
+    if (this.graph.depends(id, this.vIds))
+      r.fail('this may have no rates in it, only coordinates and parameters', r.tokens[1]);
     return id;
   }
 
@@ -149,7 +152,12 @@ export class Builder implements Scope {
       throw new DescriptionError(`there may be ${MOST_COORDINATES} coordinates`, line, token.at + 1, token.text.length);
     const angle = unit === 'rad' || unit === 'deg';
     if (!angle && unit !== 'm' && unit !== '1' && unit !== '')
-      throw new DescriptionError(`a coordinate's unit is m, rad, deg or 1, not ${unit}`, line, token.at + 1, token.text.length);
+      throw new DescriptionError(
+        `a coordinate's unit is m, rad, deg or 1, not ${unit}`,
+        line,
+        token.at + 1,
+        token.text.length,
+      );
     const [q, v] = [graph.input(), graph.input()];
     model.coordinates.push({
       name: token.text,
@@ -217,7 +225,8 @@ export class Builder implements Scope {
   }
 
   addBody(body: BodyModel, role: Role): void {
-    if (this.model.bodies.length >= MOST_BODIES) throw new DescriptionError(`there may be ${MOST_BODIES} bodies`, body.line);
+    if (this.model.bodies.length >= MOST_BODIES)
+      throw new DescriptionError(`there may be ${MOST_BODIES} bodies`, body.line);
     this.model.bodies.push({ ...body, role });
     if (body.mass !== null || body.inertia !== null) this.model.mechanical = true;
   }
@@ -225,7 +234,10 @@ export class Builder implements Scope {
   addTrack(name: string, position: Vector, label: string | undefined, r: Reader): void {
     const id = /^\w+$/.test(name) ? name : `point${this.model.tracks.length + 1}`;
     const body = this.model.bodies.length;
-    this.addBody({ id, label: label ?? id, position, frame: this.world, mass: null, inertia: null, line: r.line }, 'neutral');
+    this.addBody(
+      { id, label: label ?? id, position, frame: this.world, mass: null, inertia: null, line: r.line },
+      'neutral',
+    );
     this.model.tracks.push({ body, label: label ?? id });
   }
 
@@ -261,7 +273,17 @@ export class Builder implements Scope {
   addInput(
     token: LineToken,
     line: number,
-    { unit, column, label, tracks }: { unit: string | undefined; column: Record<string, number>; label: string | undefined; tracks: readonly string[] | undefined },
+    {
+      unit,
+      column,
+      label,
+      tracks,
+    }: {
+      unit: string | undefined;
+      column: Record<string, number>;
+      label: string | undefined;
+      tracks: readonly string[] | undefined;
+    },
   ): void {
     const { model } = this;
     const on = Object.keys(column);
@@ -287,43 +309,67 @@ export class Builder implements Scope {
     if (this.rows.length >= MOST_ROWS) r.fail(`there may be ${MOST_ROWS} constraints`, r.tokens[0]);
     for (const id of sets)
       if (!this.model.sets.some((set) => set.id === id))
-        r.fail(`there are no constraints "${id}": write "constraints ${id}" on a line above`, r.tokens.find(({ text }) => text === id));
+        r.fail(
+          `there are no constraints "${id}": write "constraints ${id}" on a line above`,
+          r.tokens.find(({ text }) => text === id),
+        );
     this.rows.push({ row, sets });
   }
 
   addDrive(r: Reader, token: LineToken, at: number, value: Id): void {
     const { graph, model } = this;
     const { name } = model.coordinates[at]!;
-    if (this.driven.has(at) || model.rates.has(at)) r.fail(`"${name}" is already given on line ${this.driven.get(at)?.line ?? model.rates.get(at)!.line}`, token);
+    if (this.driven.has(at) || model.rates.has(at))
+      r.fail(`"${name}" is already given on line ${this.driven.get(at)?.line ?? model.rates.get(at)!.line}`, token);
     const height = graph.sub(model.q[at]!, value);
     this.time();
-    this.driven.set(at, { velocity: this.rateAt(r, height), height, solve: at, line: r.line, label: `${name} is driven` });
+    this.driven.set(at, {
+      velocity: this.rateAt(r, height),
+      height,
+      solve: at,
+      line: r.line,
+      label: `${name} is driven`,
+    });
   }
 
   addRate(r: Reader, token: LineToken, at: number, value: Id): void {
     const { model } = this;
     const { name } = model.coordinates[at]!;
-    if (this.driven.has(at) || model.rates.has(at)) r.fail(`"${name}" is already given on line ${this.driven.get(at)?.line ?? model.rates.get(at)!.line}`, token);
+    if (this.driven.has(at) || model.rates.has(at))
+      r.fail(`"${name}" is already given on line ${this.driven.get(at)?.line ?? model.rates.get(at)!.line}`, token);
     model.rates.set(at, { value, line: r.line });
   }
 
   /** What the statements leave for the end: energies of bodies, rows of the sets, the clock. @throws DescriptionError */
   finish(): Model {
     const { model, graph } = this;
-    if (model.coordinates.length === 0) throw new DescriptionError('there is no coordinate: write a line such as coordinate x [m]', 0);
+    if (model.coordinates.length === 0)
+      throw new DescriptionError('there is no coordinate: write a line such as coordinate x [m]', 0);
     this.addEnergies();
     if (model.mechanical) {
       for (const [at, { value, line }] of model.rates) {
         const v = model.v[at]!;
         model.kinetic = graph.add(model.kinetic, graph.mul(graph.number(WEIGHTLESS / 2), graph.square(v)));
-        this.driven.set(at, { velocity: graph.sub(v, value), height: null, solve: null, line, label: `${model.coordinates[at]!.name}' = …` });
+        this.driven.set(at, {
+          velocity: graph.sub(v, value),
+          height: null,
+          solve: null,
+          line,
+          label: `${model.coordinates[at]!.name}' = …`,
+        });
       }
     } else if (this.rows.length > 0 || this.driven.size > 0 || model.inputs.length > 0) {
-      throw new DescriptionError('constraints, drives and inputs need bodies or energies to act on', this.rows[0]?.row.line ?? 0);
+      throw new DescriptionError(
+        'constraints, drives and inputs need bodies or energies to act on',
+        this.rows[0]?.row.line ?? 0,
+      );
     } else {
       model.coordinates.forEach(({ name }, i) => {
         if (!model.rates.has(i))
-          throw new DescriptionError(`${name} has no equation: write ${name}' = …, or give the system energies or bodies`, model.lines[i]!);
+          throw new DescriptionError(
+            `${name} has no equation: write ${name}' = …, or give the system energies or bodies`,
+            model.lines[i]!,
+          );
       });
     }
     this.fillSets();
@@ -346,7 +392,10 @@ export class Builder implements Scope {
       if (inertia !== null) {
         const [x, y, z] = frame.spin;
         const squares = graph.sum([x, y, z].map((w, k) => graph.mul(inertia[k]!, graph.square(w))));
-        const products = inertia.length < 6 ? [] : [graph.mul(x, y), graph.mul(x, z), graph.mul(y, z)].map((w, k) => graph.mul(inertia[3 + k]!, w));
+        const products =
+          inertia.length < 6
+            ? []
+            : [graph.mul(x, y), graph.mul(x, z), graph.mul(y, z)].map((w, k) => graph.mul(inertia[3 + k]!, w));
         model.kinetic = graph.add(model.kinetic, graph.add(graph.mul(half, squares), graph.sum(products)));
       }
     }
@@ -356,11 +405,16 @@ export class Builder implements Scope {
     const { model } = this;
     const always = [...this.driven.values()];
     if (model.sets.length === 0 && this.rows.length + always.length > 0)
-      this.addSet('constrained', this.rows.length > 0 ? 'Constrained' : 'Driven', (this.rows[0]?.row ?? always[0]!).line);
+      this.addSet(
+        'constrained',
+        this.rows.length > 0 ? 'Constrained' : 'Driven',
+        (this.rows[0]?.row ?? always[0]!).line,
+      );
     for (const { row, sets } of this.rows)
       for (const set of model.sets) if (sets.length === 0 || sets.includes(set.id)) set.rows.push(row);
     for (const set of model.sets) set.rows = [...set.rows, ...always].map((row) => this.homogeneous(row));
-    if (always.length === 0 && model.sets.every((set) => set.rows.length > 0)) model.sets.push(freeSet(model.sets.length > 0));
+    if (always.length === 0 && model.sets.every((set) => set.rows.length > 0))
+      model.sets.push(freeSet(model.sets.length > 0));
   }
 
   /** A velocity row with a part that no rate multiplies: that part goes with the rate of the clock, which is 1. */
@@ -377,7 +431,13 @@ export class Builder implements Scope {
     const { model, graph, clock } = this;
     if (!clock) return;
     model.clock = model.coordinates.length;
-    model.coordinates.push({ name: 'clock', symbol: 't', label: 'clock, by which what is driven goes (s)', kind: 'length', role: 'neutral' });
+    model.coordinates.push({
+      name: 'clock',
+      symbol: 't',
+      label: 'clock, by which what is driven goes (s)',
+      kind: 'length',
+      role: 'neutral',
+    });
     model.lines.push(0);
     model.q.push(clock.q);
     model.v.push(clock.v);

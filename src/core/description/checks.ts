@@ -51,7 +51,13 @@ export function solvedFor(model: Model, set: SetModel): number[] {
 }
 
 /** Gauss's elimination with the largest pivot of each row; lengths are taken before angles of the same worth. */
-function choose(slopes: Float64Array, n: number, said: readonly (number | null)[], taken: ReadonlySet<number>, clock: number | null): number[] | null {
+function choose(
+  slopes: Float64Array,
+  n: number,
+  said: readonly (number | null)[],
+  taken: ReadonlySet<number>,
+  clock: number | null,
+): number[] | null {
   const m = said.length;
   const A = slopes.slice();
   const chosen: number[] = [];
@@ -60,7 +66,13 @@ function choose(slopes: Float64Array, n: number, said: readonly (number | null)[
     let best = said[r] ?? -1;
     if (best < 0)
       for (let c = 0; c < n; c++)
-        if (!used.has(c) && c !== clock && Math.abs(A[r * n + c]!) > 1e-6 && (best < 0 || Math.abs(A[r * n + c]!) > 1.0001 * Math.abs(A[r * n + best]!))) best = c;
+        if (
+          !used.has(c) &&
+          c !== clock &&
+          Math.abs(A[r * n + c]!) > 1e-6 &&
+          (best < 0 || Math.abs(A[r * n + c]!) > 1.0001 * Math.abs(A[r * n + best]!))
+        )
+          best = c;
     if (best < 0 || Math.abs(A[r * n + best]!) < 1e-9) return null;
     used.add(best);
     chosen.push(best);
@@ -134,13 +146,20 @@ function checkRows(model: Model, { id, rows, omega }: Equations['sets'][number])
         size += Math.abs(term);
       }
       if (Math.abs(sum - slip[r]!) > 1e-9 * (size + Math.abs(slip[r]!)))
-        throw new DescriptionError('this velocity is not linear in the rates; write it as a sum of rates with factors that have none', rows[r]!.line);
+        throw new DescriptionError(
+          'this velocity is not linear in the rates; write it as a sum of rates with factors that have none',
+          rows[r]!.line,
+        );
     }
     dependent = firstDependent(O, m, n);
     if (dependent < 0) return;
   }
-  if (seen === 0) throw new DescriptionError(`the constraints "${id}" have no value at the start and around it`, rows[0]!.line);
-  throw new DescriptionError(`this constraint follows from those above it in "${id}", or asks for nothing; leave it out`, rows[dependent]!.line);
+  if (seen === 0)
+    throw new DescriptionError(`the constraints "${id}" have no value at the start and around it`, rows[0]!.line);
+  throw new DescriptionError(
+    `this constraint follows from those above it in "${id}", or asks for nothing; leave it out`,
+    rows[dependent]!.line,
+  );
 }
 
 /** Gram and Schmidt on the rows: the first that lies in the span of those before; -1 where there is none. */

@@ -65,9 +65,7 @@ export function jacobianOf(graph: Graph, results: readonly Id[], variables: read
   const k = variables.length;
   const J: Id[] = Array.from({ length: results.length * k }, () => graph.zero);
   variables.forEach((variable, c) =>
-    graph
-      .forward(results, new Map([[variable, graph.one]]), order)
-      .forEach((x, r) => (J[r * k + c] = x)),
+    graph.forward(results, new Map([[variable, graph.one]]), order).forEach((x, r) => (J[r * k + c] = x)),
   );
   return J;
 }

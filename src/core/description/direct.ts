@@ -97,13 +97,25 @@ export function directOf(model: Model, equations: Equations, k: number): Pick<Co
   const order = sparsestFirst(graph, equations.M, n);
   const f = Array.from({ length: n }, () => graph.input());
   const g = Array.from({ length: m }, () => graph.input());
-  const mass = new Factors(graph, order.map((i) => order.map((j) => equations.M[i * n + j]!)));
+  const mass = new Factors(
+    graph,
+    order.map((i) => order.map((j) => equations.M[i * n + j]!)),
+  );
   const lines = rows.map((_, r) => mass.forward(order.map((i) => omega[r * n + i]!)));
   const weighted = lines.map((line) => mass.scaled(line));
   const dot = (a: readonly Id[], b: readonly Id[]): Id => graph.sum(a.map((x, i) => graph.mul(x, b[i]!)));
-  const schur = new Factors(graph, weighted.map((a) => lines.map((b) => dot(a, b))));
+  const schur = new Factors(
+    graph,
+    weighted.map((a) => lines.map((b) => dot(a, b))),
+  );
   const multipliers = (right: readonly Id[]): Id[] => schur.back(schur.scaled(schur.forward(right)));
-  const spread = (lambda: readonly Id[]): Id[] => order.map((_, i) => dot(weighted.map((w) => w[i]!), lambda));
+  const spread = (lambda: readonly Id[]): Id[] =>
+    order.map((_, i) =>
+      dot(
+        weighted.map((w) => w[i]!),
+        lambda,
+      ),
+    );
   const inOrder = (x: readonly Id[]): Id[] => {
     const out: Id[] = [];
     order.forEach((i, at) => (out[i] = x[at]!));
@@ -125,7 +137,10 @@ export function directOf(model: Model, equations: Equations, k: number): Pick<Co
     lambda,
     factors: [...kept, spreadOfS],
     larger: [...mass.pivots, ...schur.pivots],
-    smaller: [...mass.pivots.map(() => graph.zero), ...schur.diagonal.map((x) => graph.mul(graph.number(DEPENDENT), x))],
+    smaller: [
+      ...mass.pivots.map(() => graph.zero),
+      ...schur.diagonal.map((x) => graph.mul(graph.number(DEPENDENT), x)),
+    ],
     slip: rows.map((row) => row.velocity),
     heights: rows.flatMap(({ height }) => (height === null ? [] : [height])),
     shift,
@@ -168,7 +183,9 @@ function bound(
     new Program(graph, { y, constants, f }, { rate, lambda, factors, larger, smaller }).tiered(),
   );
   const shift = once(() => new Program(graph, { kept, g }, { shift: arrays.shift }).tiered());
-  const slip = once(() => new Program(graph, { q, v, constants }, { slip: arrays.slip, heights: arrays.heights }).tiered());
+  const slip = once(() =>
+    new Program(graph, { q, v, constants }, { slip: arrays.slip, heights: arrays.heights }).tiered(),
+  );
   const [large, small] = [new Float64Array(larger.length), new Float64Array(smaller.length)];
   const change = new Float64Array(q.length);
   const factorsHere = new Float64Array(kept.length);
@@ -234,6 +251,9 @@ function tapeOf(
     ops.push(opOf(graph, node, place));
   }
   const at = (ids: readonly Id[]): number[] => ids.map((node) => place.get(node)!);
-  const set = Object.fromEntries(Object.entries(arrays).map(([name, ids]) => [name, at(ids)])) as Record<keyof DirectArrays, number[]>;
+  const set = Object.fromEntries(Object.entries(arrays).map(([name, ids]) => [name, at(ids)])) as Record<
+    keyof DirectArrays,
+    number[]
+  >;
   return { ops, prepare: at(constants), sets: { [id]: set } };
 }

@@ -15,8 +15,7 @@ export interface Frame {
   spin: Vector;
 }
 
-export type Value =
-  { kind: 'scalar'; id: Id } | { kind: 'vector'; ids: Vector } | { kind: 'frame'; frame: Frame };
+export type Value = { kind: 'scalar'; id: Id } | { kind: 'vector'; ids: Vector } | { kind: 'frame'; frame: Frame };
 
 /** What names mean where an expression stands. */
 export interface Scope {
@@ -172,7 +171,8 @@ export class Reader {
       const level = token.kind === 'sign' ? SIGNS.get(token.text) : undefined;
       if (level === undefined) {
         // A product without a sign.
-        const begins = token.kind === 'number' || token.kind === 'name' || (token.kind === 'sign' && token.text === '(');
+        const begins =
+          token.kind === 'number' || token.kind === 'name' || (token.kind === 'sign' && token.text === '(');
         if (!begins || 4 < least) break;
         left = this.product(left, this.power(), token);
         continue;
@@ -296,7 +296,9 @@ export class Reader {
     this.at++;
     if (token.kind === 'number') {
       const x = Number(token.text);
-      return Number.isFinite(x) ? { kind: 'scalar', id: graph.number(x) } : this.fail('this number is too large', token);
+      return Number.isFinite(x)
+        ? { kind: 'scalar', id: graph.number(x) }
+        : this.fail('this number is too large', token);
     }
     if (token.kind === 'name')
       return this.next?.kind === 'sign' && this.next.text === '(' && this.callable(token)
@@ -354,7 +356,9 @@ export class Reader {
     if (value === undefined) return this.unknown({ ...token, text: owner });
     if (k < 0 || value.kind === 'scalar')
       return this.fail(
-        value.kind === 'scalar' ? `"${owner}" is a number and has no "${part}"` : `only x, y and z stand behind "${owner}."`,
+        value.kind === 'scalar'
+          ? `"${owner}" is a number and has no "${part}"`
+          : `only x, y and z stand behind "${owner}."`,
         token,
       );
     if (value.kind === 'vector') return { kind: 'scalar', id: value.ids[k]! };
@@ -400,7 +404,11 @@ export class Reader {
     }
     const [first, ...rest] = args.map((arg) => this.number(arg, token)) as [Id, ...Id[]];
     const id =
-      args.length < 2 ? (several.has(name) ? first : ofOne(graph, name, first)) : rest.reduce((all, x) => ofTwo(graph, name, all, x), first);
+      args.length < 2
+        ? several.has(name)
+          ? first
+          : ofOne(graph, name, first)
+        : rest.reduce((all, x) => ofTwo(graph, name, all, x), first);
     return this.finite({ kind: 'scalar', id }, token);
   }
 
@@ -408,7 +416,8 @@ export class Reader {
     const { graph } = this.scope;
     const name = token.text;
     const wanted = name === 'dot' || name === 'cross' ? 2 : 1;
-    if (args.length !== wanted) this.fail(`${VECTOR_FUNCTIONS.get(name)}; it takes ${wanted}, not ${args.length}`, token);
+    if (args.length !== wanted)
+      this.fail(`${VECTOR_FUNCTIONS.get(name)}; it takes ${wanted}, not ${args.length}`, token);
     const [a, b] = args;
     if (name === 'omega') {
       if (a!.kind !== 'frame') return this.fail(VECTOR_FUNCTIONS.get(name)!, token);
@@ -446,8 +455,7 @@ export class Reader {
 /** A rate of what has rates in it: an acceleration, which only the equations of motion give. */
 export class RateError extends Error {}
 
-export const dot = (graph: Graph, a: Vector, b: Vector): Id =>
-  graph.sum(a.map((x, k) => graph.mul(x, b[k]!)));
+export const dot = (graph: Graph, a: Vector, b: Vector): Id => graph.sum(a.map((x, k) => graph.mul(x, b[k]!)));
 
 export function cross(graph: Graph, a: Vector, b: Vector): Vector {
   const part = (i: 0 | 1 | 2, j: 0 | 1 | 2): Id => graph.sub(graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));

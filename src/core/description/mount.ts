@@ -86,7 +86,10 @@ export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions
   const a = Array.from({ length: n }, () => graph.input());
   const jacobians = lazy(model, () => {
     const residual = residualOf(model, equations, a);
-    return [{ q, v, a, p }, { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) }];
+    return [
+      { q, v, a, p },
+      { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) },
+    ];
   });
   const energy = lazy(model, () => [at, { out: [clockless(model), model.potential] }]);
   const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
@@ -130,7 +133,13 @@ function clockless(model: Model): Id {
   return graph.sub(model.kinetic, graph.sum(spurious));
 }
 
-function constraintSet(model: Model, meta: SystemMeta, equations: Equations, k: number, a: readonly Id[]): ConstraintSet {
+function constraintSet(
+  model: Model,
+  meta: SystemMeta,
+  equations: Equations,
+  k: number,
+  a: readonly Id[],
+): ConstraintSet {
   const { graph, q, v, p } = model;
   const { id, rows, omega, gamma } = equations.sets[k]!;
   const m = rows.length;
@@ -154,7 +163,10 @@ function constraintSet(model: Model, meta: SystemMeta, equations: Equations, k: 
     ];
   });
   const { contact } = meta.constraintSets.find((set) => set.id === id)!;
-  const heights = lazy(model, () => [{ q, p }, { out: rows.flatMap(({ height }) => (height === null ? [] : [height])) }]);
+  const heights = lazy(model, () => [
+    { q, p },
+    { out: rows.flatMap(({ height }) => (height === null ? [] : [height])) },
+  ]);
   return {
     id,
     rows: m,
@@ -162,7 +174,9 @@ function constraintSet(model: Model, meta: SystemMeta, equations: Equations, k: 
     dynamics: (...all) => dynamics(...all),
     jacobians: (...all) => jacobians(...all),
     contact: contact
-      ? ({ ...contact, count: contact.rows.length, heights: (...all) => heights(...all) } satisfies ContactMeta & { points: string })
+      ? ({ ...contact, count: contact.rows.length, heights: (...all) => heights(...all) } satisfies ContactMeta & {
+          points: string;
+        })
       : null,
     ...directOf(model, equations, k),
   };
@@ -176,10 +190,16 @@ function firstOrderSystem(model: Model, view: SystemView): System {
   const jacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, f, q) }]);
   const unit = Array.from({ length: n * n }, (_, k) => (k % (n + 1) === 0 ? graph.one : graph.zero));
   const h = (): Id[] => graph.forward(f, new Map(q.map((id, i) => [id, v[i]!])));
-  const mechanics = lazy(model, () => [{ q, v, p }, { M: unit, h: h() }]);
+  const mechanics = lazy(model, () => [
+    { q, v, p },
+    { M: unit, h: h() },
+  ]);
   const jacobians = lazy(model, () => {
     const residual = h().map((x) => graph.neg(x));
-    return [{ q, v, p }, { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) }];
+    return [
+      { q, v, p },
+      { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) },
+    ];
   });
   const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
   return {

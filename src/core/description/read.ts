@@ -29,12 +29,16 @@ export function readDescription(text: string): Reading {
     else throw error;
   };
   if (text.length > LONGEST_DESCRIPTION) {
-    faults.push(new DescriptionError(`${text.length} characters are more than a description's ${LONGEST_DESCRIPTION}`, 0));
+    faults.push(
+      new DescriptionError(`${text.length} characters are more than a description's ${LONGEST_DESCRIPTION}`, 0),
+    );
     return { model: null, faults, names };
   }
   const lines = text.replace(/^\ufeff/, '').split(/\r\n|\r|\n/);
   if (lines.length > MOST_LINES) {
-    faults.push(new DescriptionError(`${lines.length} lines are more than a description's ${MOST_LINES}`, MOST_LINES + 1));
+    faults.push(
+      new DescriptionError(`${lines.length} lines are more than a description's ${MOST_LINES}`, MOST_LINES + 1),
+    );
     return { model: null, faults, names };
   }
   /** Names that a line with a fault was to define: what misses them has no fault of its own. */
@@ -63,7 +67,10 @@ export function readDescription(text: string): Reading {
 
 function readLine(r: Reader, builder: Builder): void {
   const [first, second] = r.tokens;
-  if (first!.kind !== 'name') r.fail(`a line begins with a word, such as ${Object.keys(statements).slice(0, 5).join(', ')}, or with a name that it defines`);
+  if (first!.kind !== 'name')
+    r.fail(
+      `a line begins with a word, such as ${Object.keys(statements).slice(0, 5).join(', ')}, or with a name that it defines`,
+    );
   const defines = second?.text === '=' && second.kind === 'sign';
   if (defines && /('|_dot)$/.test(first!.text)) readRate(r, builder);
   else if (defines) readDefinition(r, builder);
@@ -73,6 +80,10 @@ function readLine(r: Reader, builder: Builder): void {
     statement.read(r, builder);
     r.end(statement.example);
     return;
-  } else r.fail(`"${first!.text.slice(0, 40)}" begins no statement; there are ${Object.keys(statements).join(', ')}, and NAME = …`, first);
+  } else
+    r.fail(
+      `"${first!.text.slice(0, 40)}" begins no statement; there are ${Object.keys(statements).join(', ')}, and NAME = …`,
+      first,
+    );
   r.end(`a line defines one name`);
 }

@@ -27,7 +27,8 @@ function newName(r: Reader, b: Builder, what: string): LineToken {
   if (!NAME.test(token.text)) r.fail(`"${token.text}" is no name: letters, digits and _`, token);
   if (token.text.length > 40) r.fail('a name has at most 40 characters', token);
   if (token.text.endsWith('_dot')) r.fail(`"${token.text}" is the rate of ${token.text.slice(0, -4)}`, token);
-  if (RESERVED.has(token.text) || isFunctionName(token.text) || token.text in {}) r.fail(`"${token.text}" is taken by the language`, token);
+  if (RESERVED.has(token.text) || isFunctionName(token.text) || token.text in {})
+    r.fail(`"${token.text}" is taken by the language`, token);
   const known = b.model.names.get(token.text);
   if (known) r.fail(`"${token.text}" is already the ${known.kind} of line ${known.line}`, token);
   return token;
@@ -177,7 +178,7 @@ export const statements: Readonly<Record<string, Statement>> = {
     },
   },
   kinetic: {
-    example: 'kinetic 1/2*m*x\'^2',
+    example: "kinetic 1/2*m*x'^2",
     read(r, b) {
       b.model.kinetic = b.graph.add(b.model.kinetic, r.scalar());
       b.model.mechanical = true;
@@ -199,7 +200,10 @@ export const statements: Readonly<Record<string, Statement>> = {
       r.expect('on', this.example);
       let stretch = b.ofPlace(r, r.scalar('free'));
       if (r.take('free')) stretch = graph.sub(stretch, r.scalar());
-      model.potential = graph.add(model.potential, graph.mul(graph.mul(graph.number(0.5), stiffness), graph.square(stretch)));
+      model.potential = graph.add(
+        model.potential,
+        graph.mul(graph.mul(graph.number(0.5), stiffness), graph.square(stretch)),
+      );
     },
   },
   damper: {
@@ -306,8 +310,10 @@ export const statements: Readonly<Record<string, Statement>> = {
     words: ['in'],
     read(r, b) {
       const token = r.takeKind('name') ?? r.fail('the name of the event is expected here');
-      if (!NAME.test(token.text) || token.text in {}) r.fail(`"${token.text}" is no name: letters, digits and _`, token);
-      if (b.model.events.some(({ id }) => id === token.text)) r.fail(`there is already an event "${token.text}"`, token);
+      if (!NAME.test(token.text) || token.text in {})
+        r.fail(`"${token.text}" is no name: letters, digits and _`, token);
+      if (b.model.events.some(({ id }) => id === token.text))
+        r.fail(`there is already an event "${token.text}"`, token);
       let text = label(r);
       const value = r.scalar('in');
       text ??= label(r);
@@ -341,7 +347,10 @@ export const statements: Readonly<Record<string, Statement>> = {
       });
       const wanted = { box: 3, cylinder: 2, sphere: 1, disc: 2, rod: 2, path: null, model: 0 }[kind];
       if (wanted !== null && sizes.length !== wanted)
-        r.fail(`a ${kind} has ${kind === 'sphere' ? 'a radius' : 'a radius and a length'}: ${wanted} number${wanted === 1 ? '' : 's'}, not ${sizes.length}`, token);
+        r.fail(
+          `a ${kind} has ${kind === 'sphere' ? 'a radius' : 'a radius and a length'}: ${wanted} number${wanted === 1 ? '' : 's'}, not ${sizes.length}`,
+          token,
+        );
       b.addShape(r, { body, kind, sizes, at, axis: along, model, line: r.line });
     },
   },
@@ -370,8 +379,16 @@ export const statements: Readonly<Record<string, Statement>> = {
       } while (r.take(','));
     },
   },
-  speed: { example: 'speed along x, y heading yaw', words: ['along', 'heading'], read: (r, b) => void (b.model.speed = way(r, b)) },
-  forward: { example: 'forward along x, y heading yaw', words: ['along', 'heading'], read: (r, b) => void (b.model.forward = way(r, b)) },
+  speed: {
+    example: 'speed along x, y heading yaw',
+    words: ['along', 'heading'],
+    read: (r, b) => void (b.model.speed = way(r, b)),
+  },
+  forward: {
+    example: 'forward along x, y heading yaw',
+    words: ['along', 'heading'],
+    read: (r, b) => void (b.model.forward = way(r, b)),
+  },
 };
 
 function way(r: Reader, b: Builder): { along: [string, string]; heading: string } {
@@ -401,7 +418,10 @@ function inertias(r: Reader): Id[] {
   while (r.take(','));
   r.expect(')', 'inertia (Ixx, Iyy, Izz)');
   if (parts.length !== 3 && parts.length !== 6)
-    r.fail(`an inertia has three numbers, or six with its products (xx, yy, zz, xy, xz, yz), not ${parts.length}`, open);
+    r.fail(
+      `an inertia has three numbers, or six with its products (xx, yy, zz, xy, xz, yz), not ${parts.length}`,
+      open,
+    );
   return parts;
 }
 

@@ -60,7 +60,7 @@ export function tokensOf(text: string, line: number): LineToken[] {
     pattern.lastIndex = at;
     return pattern.exec(text)?.[0] ?? null;
   };
-  for (let at = 0; at < text.length; ) {
+  for (let at = 0; at < text.length;) {
     const letter = text[at]!;
     if (letter === '#') break;
     if (/\s/.test(letter)) {

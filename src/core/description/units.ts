@@ -7,5 +7,6 @@ export const isAngleUnit = (unit: string | undefined): boolean => unit === 'deg'
 
 /** A unit is shown, not computed with. */
 export function checkUnit(r: Reader, unit: LineToken): void {
-  if (!UNIT.test(unit.text)) r.fail(`"${unit.text.slice(0, 24)}" is no unit: letters, digits and · / ^, such as N·m/rad`, unit);
+  if (!UNIT.test(unit.text))
+    r.fail(`"${unit.text.slice(0, 24)}" is no unit: letters, digits and · / ^, such as N·m/rad`, unit);
 }

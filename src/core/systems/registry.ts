@@ -64,24 +64,12 @@ export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, sys
 /** Every built-in case. The first one is what the page opens with. */
 export const cases: readonly Case[] = registered.flatMap((folder) => folder.cases);
 
-<<<<<<< HEAD
 /** What of a system's equations is loaded. */
 export interface SystemParts {
   /** Left out, whatever asks for a Jacobian throws: explicit methods without a regulator or a push need none. */
   jacobians?: boolean;
   /** The accelerations as data, for WebAssembly. */
   tape?: boolean;
-=======
-/**
- * A system with its dynamics.
- *
- * @param id of the system
- * @returns undefined where there is none of that name
- */
-export function loadSystem(id: string): Promise<System> | undefined {
-  const folder = folders.get(id);
-  return folder ? systemIn(folder) : loadOwn(id);
->>>>>>> bde1ceb (scenario: a system by its description, for the command line and the worker)
 }
 
 /** Systems that were asked for, by id and parts: a sweep asks for the same one a thousand times. */
@@ -96,7 +84,7 @@ const loaded = new Map<string, Promise<System>>();
  */
 export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  if (!folder) return undefined;
+  if (!folder) return loadOwn(id);
   const { jacobians = true, tape = true } = parts;
   const key = `${id} ${jacobians} ${tape}`;
   const known = loaded.get(key);

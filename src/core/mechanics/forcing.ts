@@ -15,6 +15,10 @@ export interface Feedback {
   readonly limit: number;
   /** What counts, by past inputs (newest first, those of one moment in the controller's order), off what is asked. */
   readonly past?: Float64Array;
+  /** The same by what the lagging actuators give now, in the controller's order. */
+  readonly acting?: Float64Array;
+  /** What the state is estimated by, one for all inputs of a controller; without it the state itself is known. */
+  readonly estimator?: Estimator | null;
   /** Adds the derivatives of what is asked by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
   addSlopes(
     t: number,
@@ -25,4 +29,26 @@ export interface Feedback {
     forceQ: Float64Array,
     forceV: Float64Array,
   ): void;
+}
+
+/** Estimates the state from what sensors read at each sample. */
+export interface Estimator {
+  begin(): Estimate;
+}
+
+/** An estimate as its run goes on: at each sample `correct`, then `predict`. */
+export interface Estimate {
+  /** The state as far as it is known. */
+  readonly q: Float64Array;
+  readonly v: Float64Array;
+  /** The state is known, as that of a row that a run goes on from. */
+  know(t: number, q: ArrayLike<number>, v: ArrayLike<number>): void;
+  /** Takes what the sensors read at t; `expected`: what they would read of the steady motion then. */
+  correct(t: number, read: ArrayLike<number>, expected: ArrayLike<number>): void;
+  /** Goes on to the next sample, these inputs having been asked at the last. */
+  predict(asked: ArrayLike<number>): void;
+  /** All inputs on their way, and what actuators give, are these. */
+  fill(inputs: ArrayLike<number>): void;
+  /** The steady motion at t. */
+  reference(t: number): { q: ArrayLike<number>; v: ArrayLike<number> };
 }

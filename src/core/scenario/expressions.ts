@@ -5,7 +5,7 @@ import { operators, several, unary } from './expressions/functions.ts';
 import { limitAt } from './expressions/limits.ts';
 import { parseMath, type MathTree } from './expressions/mathParser.ts';
 import { constants, MOST_DEPTH, plainText, type PlainText } from './expressions/plainText.ts';
-import { node, number, variable, type Node } from './expressions/tree.ts';
+import { named, node, number, variable, type Node } from './expressions/tree.ts';
 
 export { ExpressionError } from './expressions/expressionError.ts';
 
@@ -50,6 +50,11 @@ export function compileExpression(
     return compiled(number(text));
   }
   return compiled(new Compiler(plainText(text, options.variables), options.variables).compile());
+}
+
+/** The tree of a formula of several variables, each a `name` by its place (see `formula.ts`). @throws ExpressionError */
+export function formulaTree(text: string, variables: readonly string[]): Node {
+  return new Compiler(plainText(text, variables), variables, true).compile();
 }
 
 /** Doubles first; where a number left their range, beyond it; where the formula has no value, its limit. */
@@ -98,11 +103,14 @@ interface AnyNode {
 class Compiler {
   private readonly source: PlainText;
   private readonly variables: readonly string[];
+  /** Whether each variable is one of its own. */
+  private readonly several: boolean;
   private nodes = 0;
 
-  constructor(source: PlainText, variables: readonly string[]) {
+  constructor(source: PlainText, variables: readonly string[], severalVariables = false) {
     this.source = source;
     this.variables = variables;
+    this.several = severalVariables;
   }
 
   compile(): Node {
@@ -160,7 +168,8 @@ class Compiler {
   }
 
   private symbol(name: string): Node {
-    if (this.variables.includes(name)) return variable;
+    const place = this.variables.indexOf(name);
+    if (place >= 0) return this.several ? named(place) : variable;
     const value = constants.get(name);
     if (value === undefined) throw new ExpressionError('unknown name');
     return number(value);

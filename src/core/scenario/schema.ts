@@ -322,7 +322,7 @@ function checkLqr(
     R,
     limits,
     ...(control.get('schedule') === undefined ? {} : { schedule: checkSchedule(c, control.get('schedule'), meta) }),
-    ...checkComputer(c, control, names, limits),
+    ...checkComputer(c, control, names, limits, states),
   };
 }
 
@@ -357,6 +357,6 @@ function checkTrack(
     kp: gain('kp'),
     kd: gain('kd'),
     limits,
-    ...checkComputer(c, control, Object.keys(reference), limits),
+    ...checkComputer(c, control, Object.keys(reference), limits, null),
   };
 }

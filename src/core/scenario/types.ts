@@ -13,13 +13,37 @@ export interface Computer {
   design?: 'continuous' | 'sampled' | undefined;
   /** By input. */
   actuators?: Record<string, Actuator> | undefined;
+  /** What is measured, by a state's name or an expression of states; without it every state is, exactly. */
+  sensors?: Record<string, Sensor> | undefined;
+  /** Intensities of the white noise that a Kalman filter expects in each state's rate, by state, unit² / s. */
+  process?: Record<string, number> | undefined;
+  /** Of the sensors' noise. */
+  seed?: number | undefined;
 }
 
-/** What a motor makes of what is asked: at most `limit`, changing by at most `rate` (per s), in steps of `resolution`. */
+/**
+ * What a motor makes of what is asked: at most `limit`, changing by at most `rate` (per s), in steps of `resolution`, and
+ * reached with a time constant `lag` (s).
+ */
 export interface Actuator {
   limit?: number;
   rate?: number;
+  lag?: number;
   resolution?: number;
+}
+
+/** What a sensor adds to what it measures, in its own unit. */
+export interface Sensor {
+  /** Standard deviation per sample. */
+  noise?: number;
+  /** White noise, per √Hz: `density / √sample` is its standard deviation per sample. */
+  density?: number;
+  /** Steps in which it reads. */
+  resolution?: number;
+  /** Constant error. */
+  bias?: number;
+  /** Random walk of the error, per √s. */
+  drift?: number;
 }
 
 export interface LqrControl extends Computer {

@@ -44,7 +44,7 @@ export function actuationOf(
     throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
   const plan = planned && new InputPlan(planned);
   const loops = control?.type === 'track' ? trackers(control, meta, plan) : (feedback ?? new Map<string, Feedback>());
-  const held = computer ?? HeldControl.of(control, loops);
+  const held = computer ?? HeldControl.of(control, loops, meta);
   if (plan) plan.held = held;
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {
@@ -93,7 +93,7 @@ export function actuationOf(
 function closedLoop(input: InputMeta, loop: Feedback, held: HeldControl | null, plan: InputPlan | null): Signal {
   if (held) {
     const index = held.indexOf(input.name);
-    return { value: () => held.value(index) };
+    return { value: (t) => held.value(index, t) };
   }
   const closed = new Saturation(loop);
   if (closed.limited) plan?.saturations.push(closed);

@@ -1,10 +1,13 @@
-import type { Feedback } from '../mechanics/forcing.ts';
+import type { Estimate, Feedback } from '../mechanics/forcing.ts';
+import type { SystemMeta } from '../model/system.ts';
 import type { Actuator, Scenario } from '../scenario/types.ts';
+import { Sensors } from './sensors.ts';
 
 /**
  * A controller as a computer runs it: it measures at k h, asks its inputs once, and they are held from k h + delay until
  * the next ones (zero-order hold; K. J. Åström and B. Wittenmark, Computer-Controlled Systems, 3rd ed., section 2.3).
- * A run stops at every such instant. Before the first inputs act they are zero.
+ * A run stops at every such instant. Before the first inputs act they are zero. With sensors it measures what they read, and
+ * its inputs are what its filter's estimate asks.
  */
 
 /** Instants closer than this (s) are one: k h + delay and (k + 1) h may differ in a last digit. */
@@ -19,8 +22,15 @@ interface Channel {
   readonly limit: number;
   /** What was asked within limit and rate, before it is rounded: so that small changes add up. */
   command: number;
-  /** What acts now. */
+  /** What was sent to the actuator last, what it gave then, and when: it goes from there to what was sent. */
   value: number;
+  before: number;
+  since: number;
+}
+
+/** What a channel's actuator gives at a time: what it was sent, or that approached with its lag. */
+function given({ actuator: { lag }, value, before, since }: Channel, t: number): number {
+  return lag ? value + (before - value) * Math.exp(-Math.max(0, t - since) / lag) : value;
 }
 
 export class HeldControl {
@@ -29,17 +39,24 @@ export class HeldControl {
   private readonly channels: readonly Channel[];
   /** Past inputs that a design counts on, newest first, by channel. */
   private readonly past: Float64Array;
+  private readonly sensing: { sensors: Sensors; estimate: Estimate } | null;
+  private readonly read: Float64Array;
+  private readonly expected: Float64Array;
   /** Inputs on their way to the actuators, the next first. */
   private readonly coming: { time: number; values: Float64Array }[] = [];
   /** Number of the next sample. */
   private next = 0;
 
-  /** @param feedbacks by input, in the order in which a design's past inputs are counted */
+  /**
+   * @param feedbacks by input, in the order in which a design's past inputs are counted
+   * @param sensors what is measured; without them the state itself
+   */
   constructor(
     sample: number,
     delay: number,
     feedbacks: ReadonlyMap<string, Feedback>,
     actuators: Readonly<Record<string, Actuator>> = {},
+    sensors: Sensors | null = null,
   ) {
     this.sample = sample;
     this.delay = delay;
@@ -52,14 +69,34 @@ export class HeldControl {
         limit: Math.min(feedback.limit, actuator.limit ?? Infinity),
         command: 0,
         value: 0,
+        before: 0,
+        since: 0,
       };
     });
     this.past = new Float64Array(Math.max(0, ...this.channels.map(({ feedback }) => feedback.past?.length ?? 0)));
+    const estimator = this.channels[0]?.feedback.estimator;
+    this.sensing = sensors && estimator ? { sensors, estimate: estimator.begin() } : null;
+    this.read = new Float64Array(sensors?.count ?? 0);
+    this.expected = new Float64Array(sensors?.count ?? 0);
   }
 
   /** Null for a controller that acts continuously. */
-  static of(control: Scenario['control'], feedbacks: ReadonlyMap<string, Feedback>): HeldControl | null {
-    return control?.sample ? new HeldControl(control.sample, control.delay ?? 0, feedbacks, control.actuators) : null;
+  static of(
+    control: Scenario['control'],
+    feedbacks: ReadonlyMap<string, Feedback>,
+    { coordinates }: Pick<SystemMeta, 'coordinates'>,
+  ): HeldControl | null {
+    if (!control?.sample) return null;
+    const { sample, delay = 0, actuators, sensors, seed = 0 } = control;
+    const names = coordinates.map(({ name }) => name);
+    const states = [...names, ...names.map((name) => `${name}_dot`)];
+    return new HeldControl(
+      sample,
+      delay,
+      feedbacks,
+      actuators,
+      sensors ? new Sensors(sensors, states, sample, seed) : null,
+    );
   }
 
   /** The next instant at which it measures or its inputs change, s. */
@@ -71,9 +108,9 @@ export class HeldControl {
     return this.end <= t + SAME;
   }
 
-  /** What acts of an input now. */
-  value(index: number): number {
-    return this.channels[index]!.value;
+  /** What acts of an input at a time until the next instant. */
+  value(index: number, t: number): number {
+    return given(this.channels[index]!, t);
   }
 
   indexOf(name: string): number {
@@ -87,9 +124,13 @@ export class HeldControl {
   begin(t: number, q: Float64Array, v: Float64Array): void {
     this.next = Math.max(0, Math.ceil((t - SAME) / this.sample));
     if (t > 0) {
+      this.sensing?.estimate.know(t, q, v);
       const values = this.ask(t, q, v, Infinity);
       for (let i = 0; i < this.past.length; i++) this.past[i] = values[i % values.length]!;
-      this.act(values);
+      this.act(t, values);
+      for (const channel of this.channels) channel.before = channel.value;
+      // What is known is that of the row's time: the next sample's measurement corrects what has passed since.
+      this.sensing?.estimate.fill(values);
     }
     this.arrive(t, q, v);
   }
@@ -99,13 +140,27 @@ export class HeldControl {
     let jumps = false;
     if (this.next * this.sample <= t + SAME) {
       const measured = this.next * this.sample;
-      this.coming.push({ time: measured + this.delay, values: this.ask(t, q, v, this.sample) });
+      const values = this.measureAndAsk(t, q, v);
+      this.coming.push({ time: measured + this.delay, values });
       this.next++;
     }
     while (this.coming.length > 0 && this.coming[0]!.time <= t + SAME) {
-      jumps = this.act(this.coming.shift()!.values) || jumps;
+      jumps = this.act(t, this.coming.shift()!.values) || jumps;
     }
     return jumps;
+  }
+
+  private measureAndAsk(t: number, q: Float64Array, v: Float64Array): Float64Array {
+    const { sensing, read, expected, next, sample } = this;
+    if (!sensing) return this.ask(t, q, v, sample);
+    const { sensors, estimate } = sensing;
+    sensors.read(next, q, v, read);
+    const reference = estimate.reference(t);
+    sensors.exact(reference.q, reference.v, expected);
+    estimate.correct(t, read, expected);
+    const values = this.ask(t, estimate.q, estimate.v, sample);
+    estimate.predict(values);
+    return values;
   }
 
   /** What the state asks of the actuators, `since` seconds after they were last asked. */
@@ -117,6 +172,9 @@ export class HeldControl {
       let asked = feedback.asked(t, q, v);
       const memory = feedback.past;
       for (let k = 0; memory && k < memory.length; k++) asked -= memory[k]! * past[k]!;
+      const { acting } = feedback;
+      for (let k = 0; acting && k < acting.length; k++)
+        if (acting[k] !== 0) asked -= acting[k]! * given(channels[k]!, t);
       const reach = (actuator.rate ?? Infinity) * since;
       channel.command = clamp(clamp(asked, -limit, limit), command - reach, command + reach);
       values[i] = rounded(channel.command, actuator.resolution, limit);
@@ -126,10 +184,12 @@ export class HeldControl {
     return values;
   }
 
-  private act(values: Float64Array): boolean {
+  private act(t: number, values: Float64Array): boolean {
     let jumps = false;
     this.channels.forEach((channel, i) => {
       jumps ||= channel.value !== values[i]!;
+      channel.before = given(channel, t);
+      channel.since = t;
       channel.value = values[i]!;
     });
     return jumps;

@@ -45,7 +45,7 @@ describe.each(reference.designs)('the continuous regulator held by a computer, Q
   test('grows as is known', () => {
     for (const [h, radius] of Object.entries(known.spectralRadiusAt)) {
       if (Number(h) < 0.002) continue; // there the largest modulus is that of the modes that are left alone
-      expect(heldDesign(design, Number(h), 0).spectralRadius).toBeCloseTo(radius, 8);
+      expect(heldDesign(design, { sample: Number(h), delay: 0 }).spectralRadius).toBeCloseTo(radius, 8);
     }
   });
 
@@ -61,7 +61,7 @@ describe.each(reference.designs)('the continuous regulator held by a computer, Q
 });
 
 test.each(reference.sampledLqr)('the sampled regulator at $sample s has the known moduli', (known) => {
-  const design = sampledLqr(designOf(known.scenario.Q), known.sample, 0);
+  const design = sampledLqr(designOf(known.scenario.Q), { sample: known.sample, delay: 0 });
   const moduli = design.closedLoop.map(modulus);
   moduli.forEach((m, i) => expect(m).toBeCloseTo(known.closedModuli[i]!, 8));
   expect(design.riccatiResidual).toBeLessThan(1e-10);
@@ -71,10 +71,10 @@ test.each([0.001, 0.005, 0.0075, 0.012, 0.1])(
   'with a delay of %f s the sampled regulator is stable, the held one not',
   (delay) => {
     const design = designOf(reference.sampledLqr[0]!.scenario.Q);
-    const sampled = sampledLqr(design, 0.005, delay);
+    const sampled = sampledLqr(design, { sample: 0.005, delay: delay });
     expect(sampled.spectralRadius).toBeLessThan(1);
     expect(sampled.inputGain.columns).toBe(2 * Math.ceil(delay / 0.005 - 1e-9));
-    expect(heldDesign(design, 0.005, delay).spectralRadius).toBeGreaterThan(1);
+    expect(heldDesign(design, { sample: 0.005, delay: delay }).spectralRadius).toBeGreaterThan(1);
   },
 );
 

@@ -42,6 +42,10 @@ describe.each([
   ['sampled', { sample: 0.005, design: 'sampled' }],
   ['sampled and late', { sample: 0.005, delay: 0.005, design: 'sampled' }],
   ['sampled and late by parts of a sample', { sample: 0.005, delay: 0.007, design: 'sampled' }],
+  [
+    'sampled, late and lagging',
+    { sample: 0.005, delay: 0.003, design: 'sampled', actuators: { tau_bc: { lag: 0.004 } } },
+  ],
 ])('a regulator that is %s', (_, control) => {
   const file = board(control, {
     duration: 20 * control.sample,
@@ -168,15 +172,24 @@ describe('a scenario says where it is wrong:', () => {
     [{ sample: -1 }, 'control.sample'],
     [{ sample: 1e-9 }, 'control.sample'],
     [{ sample: 0.01, design: 'other' }, 'control.design'],
-    [{ sample: 0.01, design: 'sampled', delay: 1 }, 'control.delay'],
+    [{ sample: 0.01, design: 'sampled', delay: 2 }, 'control.delay'],
     [{ sample: 0.01, design: 'sampled', schedule: { from: 1, to: 2 } }, 'control.design'],
     [{ sample: 0.01, actuators: { tau_fp: {} } }, 'control.actuators.tau_fp'],
-    [{ sample: 0.01, actuators: { tau_fc: { lag: 0.1 } } }, 'control.actuators.tau_fc.lag'],
+    [{ sample: 0.01, actuators: { tau_fc: { lag: -0.1 } } }, 'control.actuators.tau_fc.lag'],
     [{ sample: 0.01, actuators: { tau_fc: { rate: 0 } } }, 'control.actuators.tau_fc.rate'],
     [{ sample: 0.01, limits: { tau_fc: 1 }, actuators: { tau_fc: { limit: 2 } } }, 'control.actuators.tau_fc.limit'],
     [{ sample: 0.01, sensors: {} }, 'control.sensors'],
     [{ sample: 0.01, process: {} }, 'control.process'],
     [{ sample: 0.01, seed: 1 }, 'control.seed'],
+    [{ sample: 0.01, sensors: { alpha: { noise: 1 } }, seed: 0.5 }, 'control.seed'],
+    [{ sample: 0.01, sensors: { alpha: {} } }, 'control.sensors.alpha'],
+    [{ sample: 0.01, sensors: { 'alpha + beta': { noise: 1 } } }, 'control.sensors.alpha + beta'],
+    [{ sample: 0.01, sensors: { '2 + 3': { noise: 1 } } }, 'control.sensors.2 + 3'],
+    [{ sample: 0.01, sensors: { alpha: { noise: 1, density: 1 } } }, 'control.sensors.alpha.density'],
+    [{ sample: 0.01, sensors: { alpha: { noise: -1 } } }, 'control.sensors.alpha.noise'],
+    [{ sensors: { alpha: { noise: 1 } } }, 'control.sensors.alpha'],
+    [{ sample: 0.01, sensors: { alpha: { noise: 1 } }, schedule: { from: 1, to: 2 } }, 'control.sensors'],
+    [{ sample: 0.01, sensors: { alpha: { noise: 1 } }, process: { gamma: 1 } }, 'control.process.gamma'],
   ])('%j', (control, path) => {
     expect(() => scenarioOf(board(control))).toThrow(expect.objectContaining({ path }) as Error);
   });

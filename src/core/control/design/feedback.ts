@@ -1,7 +1,9 @@
-import { lqrOf, sampledDesignOf } from './scenarioControl.ts';
+import { SampledEstimator } from '../sampled/estimator.ts';
+import type { LqrDesign } from './lqr.ts';
+import { filterOf, lqrOf, sampledDesignOf, timingOf } from './scenarioControl.ts';
 import { scheduledFeedbackOf } from './scheduledFeedback.ts';
-import type { Feedback } from '../../mechanics/forcing.ts';
-import type { Scenario } from '../../scenario/types.ts';
+import type { Estimator, Feedback } from '../../mechanics/forcing.ts';
+import { ScenarioError, type Scenario } from '../../scenario/types.ts';
 import type { System } from '../../model/system.ts';
 
 /**
@@ -15,16 +17,20 @@ export class StateFeedback implements Feedback {
   private readonly v0: Float64Array;
   readonly limit: number;
   readonly past: Float64Array;
+  readonly acting: Float64Array;
+  readonly estimator: Estimator | null;
 
-  /** @param gain the input's row of K, 2n @param past its row of the gain on past inputs (see `Feedback`) */
+  /** @param gain the input's row of K, 2n @param computer its rows of the gains on past and acting inputs (see `Feedback`) */
   constructor(
     gain: ArrayLike<number>,
     q0: Float64Array,
     v0: Float64Array,
     limit: number,
-    past: ArrayLike<number> = [],
+    computer: { past?: ArrayLike<number>; acting?: ArrayLike<number>; estimator?: Estimator | null } = {},
   ) {
-    this.past = Float64Array.from(past);
+    this.past = Float64Array.from(computer.past ?? []);
+    this.acting = Float64Array.from(computer.acting ?? []);
+    this.estimator = computer.estimator ?? null;
     const n = q0.length;
     this.gainQ = Float64Array.from({ length: n }, (_, i) => gain[i]!);
     this.gainV = Float64Array.from({ length: n }, (_, i) => gain[n + i]!);
@@ -71,10 +77,27 @@ export function feedbackOf(scenario: Scenario, system: System): Map<string, Feed
   const { gain } = sampled ?? design;
   const { q, v } = linearization.motion;
   const limits = scenario.control.limits ?? {};
+  const estimator = estimatorOf(scenario, design);
   return new Map(
     linearization.inputs.map((name, k) => [
       name,
-      new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity), sampled?.inputGain.getRow(k)),
+      new StateFeedback(gain.getRow(k), q, v, Number(limits[name] ?? Infinity), {
+        past: sampled?.inputGain.getRow(k) ?? [],
+        acting: sampled?.actingGain.getRow(k) ?? [],
+        estimator,
+      }),
     ]),
   );
+}
+
+function estimatorOf(scenario: Scenario, design: LqrDesign): Estimator | null {
+  const found = filterOf(scenario, design);
+  if (!found || scenario.control?.type !== 'lqr') return null;
+  if (!scenario.control.sample)
+    throw new ScenarioError(
+      'control.sensors',
+      'white noise has no value at a moment, so that a run with sensors needs a computer: give control.sample (s)',
+    );
+  const { plant, filter, deviations } = found;
+  return new SampledEstimator(plant, filter, deviations, design.linearization.motion, timingOf(scenario.control));
 }

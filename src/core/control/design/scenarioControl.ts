@@ -1,9 +1,19 @@
+import { Matrix } from 'ml-matrix';
 import { inputsOf } from '../../model/inputs.ts';
-import { ScenarioError, type LqrControl, type Scenario } from '../../scenario/types.ts';
+import { MOST_MEMORY } from '../../scenario/computer.ts';
+import { Formula } from '../../scenario/formula.ts';
+import { ScenarioError, type LqrControl, type Scenario, type Sensor } from '../../scenario/types.ts';
 import type { InputMeta, System, SystemMeta } from '../../model/system.ts';
 import { designLqr, type LqrDesign, type Weights } from './lqr.ts';
 import { located, preparedPlant, type PreparedPlant } from '../linearization/preparedPlant.ts';
-import { heldDesign, sampledLqr, type SampledDesign } from '../sampled/sampledLqr.ts';
+import {
+  continuousKalman,
+  observedPlant,
+  sampledKalman,
+  type KalmanFilter,
+  type ObservedPlant,
+} from '../sampled/kalman.ts';
+import { heldDesign, sampledLqr, type SampledDesign, type Timing } from '../sampled/sampledLqr.ts';
 import type { Plant, SteadyMotion } from '../linearization/steadyMotion.ts';
 
 /** What a scenario says about its plant, its operating point and its controller, as the control code takes it. */
@@ -66,13 +76,59 @@ export function lqrOf(scenario: Scenario, system: System): LqrDesign {
 }
 
 /**
- * A scenario's regulator as its computer runs it; null where it has no `control.sample`.
+ * A scenario's regulator as its computer runs it; null where it has no `control.sample`, or holds the continuous gain with
+ * more inputs on their way than a matrix is to be made of.
  * @throws ScenarioError at `control` where there is no sampled design
  */
 export function sampledDesignOf({ control }: Scenario, design: LqrDesign): SampledDesign | null {
   if (control?.type !== 'lqr' || !control.sample) return null;
-  const { sample, delay = 0 } = control;
+  const timing = timingOf(control);
+  if (timing.delay > MOST_MEMORY * timing.sample && control.design !== 'sampled') return null;
   return located('control', () =>
-    control.design === 'sampled' ? sampledLqr(design, sample, delay) : heldDesign(design, sample, delay),
+    control.design === 'sampled' ? sampledLqr(design, timing) : heldDesign(design, timing),
   );
+}
+
+export function timingOf({ sample = 0, delay = 0, inputs, actuators = {} }: LqrControl): Required<Timing> {
+  return { sample, delay, lags: inputs.map((name) => actuators[name]?.lag ?? 0) };
+}
+
+/** The Kalman filter of a scenario's sensors: sampled where its controller is. */
+export interface FilterDesign {
+  readonly sensors: readonly string[];
+  readonly plant: ObservedPlant;
+  readonly filter: KalmanFilter;
+  /** Of the noise: per sample, or per √Hz of a continuous filter. */
+  readonly deviations: readonly number[];
+}
+
+/**
+ * Null without `control.sensors`.
+ * @throws ScenarioError at `control.sensors`
+ */
+export function filterOf({ control }: Scenario, { linearization }: LqrDesign): FilterDesign | null {
+  if (control?.type !== 'lqr' || !control.sensors) return null;
+  const { sensors, process, sample } = control;
+  const { states, motion } = linearization;
+  const names = Object.keys(sensors);
+  const state = [...motion.q, ...motion.v];
+  const rows = names.map((text) => {
+    const formula = new Formula(text, states);
+    return states.map((_, i) => formula.slope(state, i));
+  });
+  const intensities = states.map((name) => (process ? (process[name] ?? 0) : 1));
+  return located('control.sensors', () => {
+    const plant = observedPlant(linearization, new Matrix(rows), names);
+    const deviations = Object.values(sensors).map((sensor) => deviationOf(sensor, sample));
+    const filter = sample
+      ? sampledKalman(plant, intensities, deviations, sample)
+      : continuousKalman(plant, intensities, deviations);
+    return { sensors: names, plant, filter, deviations };
+  });
+}
+
+/** Rounding to steps is noise of a twelfth of their square (Åström and Wittenmark, section 9.8). */
+function deviationOf({ noise, density = 0, resolution = 0 }: Sensor, sample: number | undefined): number {
+  if (!sample) return density;
+  return Math.hypot(noise ?? density / Math.sqrt(sample), resolution / Math.sqrt(12));
 }

@@ -101,6 +101,15 @@ export function balanced(basis: Matrix, A: Matrix, B: Matrix): BalancedPlant {
   return { A: R.mmul(A).mmul(back), B: R.mmul(B), basis: Q, back, unit: s };
 }
 
+/**
+ * The same plant as its sensors see it, x' = A^T x + C^T u: the dual in the same units, so that what is weak beside what is
+ * decided there too. Its basis serves no further.
+ * @param C N^T C^T, d x p: what the sensors read of tangent coordinates
+ */
+export function dualOf({ A, back, basis }: BalancedPlant, C: Matrix): BalancedPlant {
+  return { A: A.transpose(), B: back.transpose().mmul(C), basis, back: inverse(back).transpose(), unit: 1 };
+}
+
 /** Corrections of a reachable subspace; each squares what is missing. */
 const MOST_CORRECTIONS = 3;
 
@@ -155,11 +164,17 @@ export interface ReachableSplit extends Reachability {
 
 /**
  * @param sizes of B's columns, as in `reachableSubspace`
- * @param basis of the tangent space that A and B are in; with it ranks are decided in balanced coordinates
+ * @param basis of the tangent space that A and B are in, or the plant in balanced coordinates: with either, ranks are
+ * decided in those
  */
-export function splitByReachability(A: Matrix, B: Matrix, sizes?: readonly number[], basis?: Matrix): ReachableSplit {
+export function splitByReachability(
+  A: Matrix,
+  B: Matrix,
+  sizes?: readonly number[],
+  basis?: Matrix | BalancedPlant,
+): ReachableSplit {
   const I = Matrix.eye(A.rows);
-  const plant = basis ? balanced(basis, A, B) : { A, B, basis: I, back: I, unit: 1 };
+  const plant = !basis ? { A, B, basis: I, back: I, unit: 1 } : basis instanceof Matrix ? balanced(basis, A, B) : basis;
   const sized = sizes?.map((size) => size / plant.unit);
   const inBalance = refined(reachableSubspace(plant.A, plant.B, sized), plant);
   // What the inputs reach is the same subspace; its basis is orthonormal in tangent coordinates.

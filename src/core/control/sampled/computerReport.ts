@@ -1,7 +1,8 @@
 import type { Scenario } from '../../scenario/types.ts';
 import type { System } from '../../model/system.ts';
-import { lqrOf, sampledDesignOf } from '../design/scenarioControl.ts';
-import { modulus } from '../linearization/spectrum.ts';
+import type { LqrDesign } from '../design/lqr.ts';
+import { filterOf, lqrOf, sampledDesignOf } from '../design/scenarioControl.ts';
+import { modulus, type Complex, type Mode } from '../linearization/spectrum.ts';
 import { marginsOf, type Margins } from '../margins.ts';
 
 /** `Margins` as JSON has them: null where there is no bound (Infinity). */
@@ -29,17 +30,40 @@ export interface SampledReport {
   riccatiResidual: number | null;
 }
 
+/** What a scenario's sensors see, and the Kalman filter of them. */
+export interface EstimatorReport {
+  sensors: readonly string[];
+  /** How many of the dimensions that the constraints allow show in the sensors. */
+  dimension: number;
+  bySensor: { sensor: string; dimension: number }[];
+  unseen: Mode[];
+  /** On the seen part: `s' = A s + B u`, y = C s, s = fromStates x; what is estimated of x is toStates s. */
+  A: number[][];
+  B: number[][];
+  C: number[][];
+  /** Continuous: `s' = A s + B u + L (y - C s)`; sampled: `s += L (y - C s)` at a measurement. */
+  L: number[][];
+  fromStates: number[][];
+  toStates: number[][];
+  /** Of the estimate's error: eigenvalues (1/s) of a continuous filter, moduli from sample to sample of a sampled one. */
+  eigenvalues: Complex[] | null;
+  moduli: number[] | null;
+  riccatiResidual: number;
+}
+
 /** What running a scenario's regulator on a computer takes, and what comes of the one that it names. */
 export interface ComputerReport {
   /** Of the continuous gain, on the modes that its design placed; null without an lqr, or where there are none. */
   margins: MarginsReport | null;
   /** Null without `control.sample`. */
   sampled: SampledReport | null;
+  /** Null without `control.sensors`. */
+  estimator: EstimatorReport | null;
 }
 
 /** @throws ScenarioError where the design can't be had */
 export function computerReport(scenario: Scenario, system: System): ComputerReport {
-  if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null };
+  if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null, estimator: null };
   const design = lqrOf(scenario, system);
   const { A, B } = design.quotient;
   const sampled = sampledDesignOf(scenario, design);
@@ -53,6 +77,29 @@ export function computerReport(scenario: Scenario, system: System): ComputerRepo
       spectralRadius: sampled.spectralRadius,
       riccatiResidual: sampled.riccatiResidual,
     },
+    estimator: estimatorReport(scenario, design),
+  };
+}
+
+function estimatorReport(scenario: Scenario, design: LqrDesign): EstimatorReport | null {
+  const found = filterOf(scenario, design);
+  if (!found) return null;
+  const { sensors, plant, filter } = found;
+  const sampled = Boolean(scenario.control?.sample);
+  return {
+    sensors,
+    dimension: plant.A.rows,
+    bySensor: plant.bySensor,
+    unseen: plant.unseen,
+    A: plant.A.to2DArray(),
+    B: plant.B.to2DArray(),
+    C: plant.C.to2DArray(),
+    L: filter.gain.to2DArray(),
+    fromStates: plant.fromStates.to2DArray(),
+    toStates: plant.toStates.to2DArray(),
+    eigenvalues: sampled ? null : filter.poles,
+    moduli: sampled ? filter.poles.map(modulus) : null,
+    riccatiResidual: filter.residual,
   };
 }
 

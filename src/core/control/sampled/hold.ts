@@ -22,6 +22,26 @@ export function held(A: Matrix, B: Matrix, h: number): SampledPlant {
   return { A: part(E, 0, n, 0, n), B: part(E, 0, n, n, k) };
 }
 
+/**
+ * `x' = A x + B u` driven through first-order lags, `w' = (u - w) / lag`: the state is then (x, those w whose lag is above 0).
+ * @param lags by input, s
+ */
+export function lagged(A: Matrix, B: Matrix, lags: readonly number[]): SampledPlant {
+  const slow = [...lags.keys()].filter((i) => lags[i]! > 0);
+  const [n, k] = [A.rows, B.columns];
+  const size = n + slow.length;
+  const [Al, Bl] = [Matrix.zeros(size, size), Matrix.zeros(size, k)];
+  if (n > 0) Al.setSubMatrix(A, 0, 0);
+  for (let i = 0; i < k; i++) {
+    const at = n + slow.indexOf(i);
+    for (let r = 0; r < n; r++) (at < n ? Bl : Al).set(r, at < n ? i : at, B.get(r, i));
+    if (at < n) continue;
+    Al.set(at, at, -1 / lags[i]!);
+    Bl.set(at, i, 1 / lags[i]!);
+  }
+  return { A: Al, B: Bl };
+}
+
 /** (A B; 0 0) h, whose exponential is (Ad Bd; 0 I). */
 function stackedBlock(A: Matrix, B: Matrix, h: number): Matrix {
   const [n, k] = [A.rows, B.columns];
@@ -138,7 +158,7 @@ export function sampledCost(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, h: numbe
   const F = stackedBlock(A, B, 1);
   const cost = Matrix.zeros(size, size);
   if (n > 0) cost.setSubMatrix(Q, 0, 0);
-  cost.setSubMatrix(R, n, n);
+  if (k > 0) cost.setSubMatrix(R, n, n);
   // exp of (-F^T cost; 0 F) h holds the integral of e^{F^T s} cost e^{F s}.
   const M = Matrix.zeros(2 * size, 2 * size);
   M.setSubMatrix(F.transpose().mul(-h), 0, 0);

@@ -1,20 +1,21 @@
 import { Matrix } from 'ml-matrix';
 import type { LqrDesign } from '../design/lqr.ts';
-import { besides } from '../linearization/matrices.ts';
+import { besides, columnsOf } from '../linearization/matrices.ts';
 import { modulus, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 import { solveDare } from './dare.ts';
-import { delayedCost, heldWithDelay } from './hold.ts';
+import { delayedCost, heldWithDelay, lagged, type SampledPlant } from './hold.ts';
 
 /** A regulator as a computer runs it: sampled, held, with a delay from measurement to actuation. */
 export interface SampledDesign {
   readonly sample: number;
   readonly delay: number;
-  /** `x_{k+1} = A x_k + B u_k` on the reachable, seen quotient; with a delay its state holds past inputs too. */
+  /** `x_{k+1} = A x_k + B u_k` on the reachable, seen quotient; behind z its state holds what lagging actuators give, then past inputs. */
   readonly A: Matrix;
   readonly B: Matrix;
-  /** `u_k = -K x_k` there, and on the states of the system and the past inputs, newest first. */
+  /** `u_k = -K x_k` there, and on the states of the system, what lagging actuators give, and past inputs, newest first. */
   readonly K: Matrix;
   readonly gain: Matrix;
+  readonly actingGain: Matrix;
   readonly inputGain: Matrix;
   readonly closedLoop: Complex[];
   readonly spectralRadius: number;
@@ -22,45 +23,62 @@ export interface SampledDesign {
   readonly riccatiResidual: number | null;
 }
 
-/** The continuous design's own gain, held. @param sample s @param delay s */
-export function heldDesign(design: LqrDesign, sample: number, delay: number): SampledDesign {
-  const { A, B } = design.quotient;
-  const plant = heldWithDelay(A, B, sample, delay);
-  const K = besides(design.riccati.gain, new Matrix(B.columns, plant.A.rows - A.rows));
-  return report(design, sample, delay, plant.A, plant.B, K, null);
+/** Sample time, delay (s), and the time constants of the actuators by input (s; 0: none). */
+export interface Timing {
+  sample: number;
+  delay: number;
+  lags?: readonly number[];
 }
 
-/** The regulator of least cost among those that hold their input: exact sampled cost, delay by augmentation. */
-export function sampledLqr(design: LqrDesign, sample: number, delay: number): SampledDesign {
-  const { A, B, C } = design.quotient;
+/** The continuous design's own gain, held. */
+export function heldDesign(design: LqrDesign, timing: Timing): SampledDesign {
+  const driven = drivenPlant(design, timing);
+  const plant = heldWithDelay(driven.A, driven.B, timing.sample, timing.delay);
+  const K = besides(design.riccati.gain, new Matrix(plant.B.columns, plant.A.rows - design.quotient.A.rows));
+  return report(design, timing, plant, driven.A.rows, K, null);
+}
+
+/** The regulator of least cost among those that hold their input: exact sampled cost, delay and lags by augmentation. */
+export function sampledLqr(design: LqrDesign, timing: Timing): SampledDesign {
+  const { sample, delay } = timing;
+  const { C } = design.quotient;
+  const { A, B } = drivenPlant(design, timing);
   const plant = heldWithDelay(A, B, sample, delay);
-  const cost = delayedCost(A, B, C.transpose().mmul(C), Matrix.diag([...design.weights.R]), sample, delay);
+  const Q = Matrix.zeros(A.rows, A.rows);
+  if (C.columns > 0) Q.setSubMatrix(C.transpose().mmul(C), 0, 0);
+  const cost = delayedCost(A, B, Q, Matrix.diag([...design.weights.R]), sample, delay);
   const { gain, residual } = solveDare(plant.A, plant.B, cost.Q, cost.R, cost.N);
-  return report(design, sample, delay, plant.A, plant.B, gain, residual);
+  return report(design, timing, plant, A.rows, gain, residual);
 }
 
+function drivenPlant({ quotient: { A, B } }: LqrDesign, { lags }: Timing): SampledPlant {
+  return lags ? lagged(A, B, lags) : { A, B };
+}
+
+/** @param driven how many states the plant has with its lags, without past inputs */
 function report(
   design: LqrDesign,
-  sample: number,
-  delay: number,
-  A: Matrix,
-  B: Matrix,
+  { sample, delay, lags = [] }: Timing,
+  { A, B }: SampledPlant,
+  driven: number,
   K: Matrix,
   riccatiResidual: number | null,
 ): SampledDesign {
   const { fromStates } = design.quotient;
   const d = fromStates.rows;
-  const part = (from: number, to: number): Matrix =>
-    to > from ? K.subMatrix(0, K.rows - 1, from, to - 1) : new Matrix(K.rows, 0);
   const closedLoop = plainEigenvalues(Matrix.sub(A, B.mmul(K))).sort((a, b) => modulus(b) - modulus(a));
+  const actingGain = Matrix.zeros(K.rows, K.rows);
+  let at = d;
+  for (let i = 0; i < K.rows; i++) if (lags[i]) actingGain.setColumn(i, K.getColumn(at++));
   return {
     sample,
     delay,
     A,
     B,
     K,
-    gain: part(0, d).mmul(fromStates),
-    inputGain: part(d, K.columns),
+    gain: columnsOf(K, 0, d).mmul(fromStates),
+    actingGain,
+    inputGain: columnsOf(K, driven, K.columns),
     closedLoop,
     spectralRadius: closedLoop.length > 0 ? modulus(closedLoop[0]!) : 0,
     riccatiResidual,

@@ -24,6 +24,9 @@ export const mark = {
   rate: 0,
   /** Whether a number left the range of doubles since this was last cleared, so that the result may be wrong. */
   lost: false,
+  /** Values and rates of the names of a formula of several variables (`formula.ts`), by the place of the name. */
+  values: new Float64Array(0) as ArrayLike<number>,
+  rates: new Float64Array(0) as ArrayLike<number>,
 };
 
 /** Below it a product may have vanished that another factor would bring back. */
@@ -56,6 +59,8 @@ function kept(x: number): number {
 
 export function closuresOf(node: Node): Closures {
   if (node.op === 'number') return { value: () => node.x, dual: () => ((mark.rate = 0), node.x) };
+  if (node.op === 'name')
+    return { value: () => mark.values[node.x]!, dual: () => ((mark.rate = mark.rates[node.x]!), mark.values[node.x]!) };
   if (node.op === 't') return { value: (t) => t, dual: (t) => ((mark.rate = 1), t) };
   const parts = node.args.map(closuresOf);
   if (decide(node.op)) return switching(node, parts);

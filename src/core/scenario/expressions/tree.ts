@@ -18,6 +18,8 @@ export interface Node {
 }
 
 export const number = (x: number): Node => ({ op: 'number', args: [], x, constant: true, decided: NaN });
+/** One of several variables, by its place among them. */
+export const named = (place: number): Node => ({ op: 'name', args: [], x: place, constant: false, decided: NaN });
 export const variable: Node = { op: 't', args: [], x: NaN, constant: false, decided: NaN };
 
 export const node = (op: string, ...args: Node[]): Node => ({

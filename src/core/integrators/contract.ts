@@ -106,6 +106,9 @@ export interface Stepper {
   restart(): void;
 }
 
+/**
+ * Counters of a run that has not begun.
+ */
 export function zeroCounters(): Counters {
   return { steps: 0, rejected: 0, evaluations: 0, jacobians: 0, factorizations: 0 };
 }

@@ -17,7 +17,10 @@ const steppers: Readonly<Record<OdeMethodId, CreateStepper>> = {
 
 /**
  * A stepper of y' = f(t, y).
+ *
  * @param id permanent id, of `methods.ts`
+ * @param problem the right-hand side and, where it has one, its Jacobian
+ * @param options tolerances, steps and, for collocation, stages
  * @returns undefined where there is none of that name
  * @throws RangeError for a number of stages that the method does not have
  */

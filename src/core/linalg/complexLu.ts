@@ -7,6 +7,11 @@
 /**
  * Factors `re` + i `im` (n x n) in place: unit lower L below the diagonal, U above it, the inverses of its pivots on
  * the diagonal; row swaps into `pivots` (n).
+ *
+ * @param re real part, n x n, row-major
+ * @param im imaginary part, n x n, row-major
+ * @param n size
+ * @param pivots n row numbers
  * @returns false when a pivot is zero or not a number
  */
 export function complexLuFactor(re: Float64Array, im: Float64Array, n: number, pivots: Int32Array): boolean {
@@ -40,7 +45,16 @@ export function complexLuFactor(re: Float64Array, im: Float64Array, n: number, p
   return true;
 }
 
-/** Solves A x = b in place of b = `x` + i `y` (n each) with the factors of `complexLuFactor`. */
+/**
+ * Solves A x = b in place of b = `x` + i `y` (n each) with the factors of `complexLuFactor`.
+ *
+ * @param re real part of the factors, n x n
+ * @param im imaginary part of the factors, n x n
+ * @param n size
+ * @param pivots n row numbers
+ * @param x real part of b, then of the solution, n
+ * @param y imaginary part of b, then of the solution, n
+ */
 export function complexLuSolve(
   re: Float64Array,
   im: Float64Array,

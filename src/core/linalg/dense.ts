@@ -9,6 +9,9 @@
  * Cholesky factor of a symmetric positive definite matrix in place: the lower triangle of `A` (n x n)
  * becomes L with A = L L^T; the strict upper triangle is left as it was.
  *
+ * @param A n x n, row-major
+ * @param n size
+ * @param relativeFloor a pivot below this part of its diagonal entry counts as zero
  * @returns 0, or k + 1 when pivot k is not above `relativeFloor` times its diagonal entry (or not a number):
  * the leading block of order k + 1 is not positive definite to working precision.
  */
@@ -32,7 +35,13 @@ export function cholesky(A: Float64Array, n: number, relativeFloor = 0): number 
   return 0;
 }
 
-/** Solves L x = b in place of b, L the lower triangle of `L` (n x n). */
+/**
+ * Solves L x = b in place of b, L the lower triangle of `L` (n x n).
+ *
+ * @param L n x n, row-major; above the diagonal it is not read
+ * @param n size
+ * @param b right-hand side, then the solution, n
+ */
 export function solveLower(L: Float64Array, n: number, b: Float64Array): void {
   for (let i = 0; i < n; i++) {
     let sum = b[i]!;
@@ -41,7 +50,13 @@ export function solveLower(L: Float64Array, n: number, b: Float64Array): void {
   }
 }
 
-/** Solves L^T x = b in place of b. */
+/**
+ * Solves L^T x = b in place of b.
+ *
+ * @param L n x n, row-major; above the diagonal it is not read
+ * @param n size
+ * @param b right-hand side, then the solution, n
+ */
 export function solveLowerTransposed(L: Float64Array, n: number, b: Float64Array): void {
   for (let i = n - 1; i >= 0; i--) {
     let sum = b[i]!;
@@ -53,6 +68,10 @@ export function solveLowerTransposed(L: Float64Array, n: number, b: Float64Array
 /**
  * Eigenvalues of a symmetric matrix by cyclic Jacobi rotations, onto the diagonal of `A` (n x n, destroyed);
  * eigenvectors into the columns of `V` (n x n) if it is given.
+ *
+ * @param A n x n, symmetric
+ * @param n size
+ * @param V n x n, an eigenvector a column
  */
 export function symmetricEigenvalues(A: Float64Array, n: number, V?: Float64Array): void {
   V?.fill(0);
@@ -99,7 +118,11 @@ function rotate(A: Float64Array, n: number, r: number, s: number, V?: Float64Arr
   }
 }
 
-/** Largest absolute entry; NaN if any entry is. */
+/**
+ * Largest absolute entry; NaN if any entry is.
+ *
+ * @param x any number of entries
+ */
 export function maxAbs(x: Float64Array): number {
   let largest = 0;
   for (let i = 0; i < x.length; i++) {

@@ -5,6 +5,10 @@
 
 /**
  * Factors `A` (n x n) in place: unit lower L below the diagonal, U on and above it; row swaps into `pivots` (n).
+ *
+ * @param A n x n, row-major
+ * @param n size
+ * @param pivots n row numbers
  * @param smallest pivots up to this size count as zero
  * @returns false when a pivot is zero or not a number
  */
@@ -33,7 +37,14 @@ export function luFactor(A: Float64Array, n: number, pivots: Int32Array, smalles
   return true;
 }
 
-/** Solves A x = b in place of b with the factors of `luFactor`. */
+/**
+ * Solves A x = b in place of b with the factors of `luFactor`.
+ *
+ * @param A the factors, n x n
+ * @param n size
+ * @param pivots n row numbers
+ * @param b right-hand side, then the solution, n
+ */
 export function luSolve(A: Float64Array, n: number, pivots: Int32Array, b: Float64Array): void {
   for (let k = 0; k < n; k++) {
     const p = pivots[k]!;

@@ -10,6 +10,10 @@ const DEPENDENT = 1e-12;
  * Factors `A` (rows x columns, rows >= columns) in place, A P = Q R: R on and above the diagonal. `Q` (rows x rows) is
  * formed in full: its first `columns` columns span the columns of A, the others the null space of A^T.
  *
+ * @param A rows x columns, row-major
+ * @param rows number of rows
+ * @param columns number of columns, at most rows
+ * @param Q rows x rows, row-major
  * @param work one entry per row
  * @returns the rank
  */

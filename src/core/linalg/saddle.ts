@@ -47,13 +47,23 @@ const unrolled: ReadonlyMap<number, Triangular> = new Map([
   [4, { factor: factor4, forward: forward4, back: back4 }],
 ]);
 
-/** The fastest there are: straight lines for the board's size, else loops. */
+/**
+ * The fastest there are: straight lines for the board's size, else loops.
+ *
+ * @param n coordinates
+ * @param m constraint rows
+ */
 export function saddleKernels(n: number, m: number): SaddleKernels {
   const mass = unrolled.get(n) ?? triangularLoops(n);
   const schur = unrolled.get(m) ?? triangularLoops(m);
   return n === 10 && m === 4 ? { mass, schur, rows: rows10x4, solve: solve10x4 } : loopKernels(n, m, mass, schur);
 }
 
+/**
+ * Cholesky and triangular solves by loops, for any size.
+ *
+ * @param n size
+ */
 export function triangularLoops(n: number): Triangular {
   return {
     factor(A, inverse, relativeFloor) {
@@ -89,6 +99,14 @@ export function triangularLoops(n: number): Triangular {
   };
 }
 
+/**
+ * Solves of [M, -Omega^T; Omega, 0] by loops, for any size.
+ *
+ * @param n coordinates
+ * @param m constraint rows
+ * @param mass kernels for the mass matrix, n x n
+ * @param schur kernels for Omega M^-1 Omega^T, m x m
+ */
 export function loopKernels(
   n: number,
   m: number,

@@ -41,6 +41,11 @@ const UNREACHABLE = 1e-11;
  * exists, all give way: `v - M^-1 Omega^T (Omega M^-1 Omega^T)^-1 Omega v`. Held velocities are zero, a clock's is 1.
  * In a system of first order the velocities are its rates.
  *
+ * @param system whose constraints hold
+ * @param parameters SI, in the meta's order
+ * @param constraintSet id
+ * @param hold positions of coordinates that are held
+ * @param initial coordinates and rates by name, SI
  * @throws StartError when the ground can't be reached or the constraints are dependent at the start
  */
 export function consistentStart(

@@ -17,7 +17,13 @@ export interface EventFunction {
 /** The scaled constraints count as dependent when their smallest eigenvalue is this small. */
 const SINGULAR_BELOW = 1e-6;
 
-/** The events of a run: under contact constraint sets only, and only those not ignored. */
+/**
+ * The events of a run: under contact constraint sets only, and only those not ignored.
+ *
+ * @param system that the run is of
+ * @param dynamics with the constraint set and parameters of the run
+ * @param actions what to do at an event, by its id
+ */
 export function eventsOf(
   system: System,
   dynamics: ConstrainedSystem,

@@ -26,7 +26,11 @@ export interface Terms {
   rate: Float64Array | null;
 }
 
-/** Evaluates a system's equations at one state. */
+/**
+ * Evaluates a system's equations at one state.
+ *
+ * @param system whose equations they are
+ */
 export function termsOf(system: System, { constraints, q, v, p }: Omit<StateOfSystem, 'system'>): Terms {
   const n = system.meta.coordinates.length;
   const mass = new Float64Array(n * n);

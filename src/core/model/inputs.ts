@@ -1,6 +1,10 @@
 import type { InputMeta, SystemMeta } from './system.ts';
 
-/** The named inputs of a system and a raw generalized force `f_<coordinate>` on each coordinate; none on one of first order. */
+/**
+ * The named inputs of a system and a raw generalized force `f_<coordinate>` on each coordinate; none on one of first order.
+ *
+ * @param meta of the system
+ */
 export function inputsOf(meta: SystemMeta): InputMeta[] {
   if (meta.order === 1) return [];
   const raw = meta.coordinates

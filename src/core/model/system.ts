@@ -232,13 +232,19 @@ export interface SystemMeta {
   views?: { ridden?: boolean; closeUp?: string };
 }
 
-/** @returns what dependent rows of a constraint set mean, in parentheses after a space; nothing where the meta does not say */
+/**
+ * @param id of the constraint set
+ * @returns what dependent rows of a constraint set mean, in parentheses after a space; nothing where the meta does not say
+ */
 export function dependentWords({ constraintSets }: SystemMeta, id: string | undefined): string {
   const words = constraintSets.find((set) => set.id === id)?.dependent;
   return words ? ` (${words})` : '';
 }
 
-/** @returns why M may be singular at q (n), and what to do: the pole of the angles, or a body without mass */
+/**
+ * @param q coordinates, n
+ * @returns why M may be singular at q (n), and what to do: the pole of the angles, or a body without mass
+ */
 export function singularMassWords({ attitude, coordinates }: SystemMeta, q: Float64Array): string {
   const pitch = coordinates.findIndex(({ name }) => name === attitude?.angles[1]);
   return pitch >= 0 && Math.abs(Math.cos(q[pitch]!)) < 1e-3
@@ -246,7 +252,11 @@ export function singularMassWords({ attitude, coordinates }: SystemMeta, q: Floa
     : 'give every body a mass and inertia';
 }
 
-/** @returns position of a parameter in the vector `p`; throws where the system has none of that name */
+/**
+ * @param meta of the system
+ * @param name of the parameter
+ * @returns position of a parameter in the vector `p`; throws where the system has none of that name
+ */
 export function parameterIndex(meta: SystemMeta, name: string): number {
   const index = meta.parameters.findIndex((parameter) => parameter.name === name);
   if (index < 0) throw new Error(`${meta.id} has no parameter ${name}`);

@@ -48,7 +48,13 @@ export interface TypesetConstraints {
 
 const MARK = /\\s\{([^}]+)\}/g;
 
-/** Marked LaTeX with `set(name, letter)` in place of every mark. */
+/**
+ * Marked LaTeX with `set(name, letter)` in place of every mark.
+ *
+ * @param latex marked LaTeX
+ * @param symbols of the system, by name
+ * @param set gives the LaTeX of a mark
+ */
 export function setMarks(
   latex: string,
   symbols: Typeset['symbols'],
@@ -57,7 +63,11 @@ export function setMarks(
   return latex.replace(MARK, (_, name: string) => set(name, symbols[name] ?? String.raw`\text{${name}}`));
 }
 
-/** The marks of a formula, each once, in the order in which they stand. */
+/**
+ * The marks of a formula, each once, in the order in which they stand.
+ *
+ * @param latex marked LaTeX
+ */
 export function marksOf(latex: string): string[] {
   return [...new Set([...latex.matchAll(MARK)].map((found) => found[1]!))];
 }

@@ -3,6 +3,10 @@
 /**
  * Quaternion of a rotation matrix at `offset` in `m`.
  * Shepperd's choice of the largest component keeps it accurate everywhere (J. Guidance and Control 1 (1978) 223).
+ *
+ * @param m rotation matrices by rows, 9 numbers from `offset`
+ * @param offset of the first
+ * @param out w, x, y, z
  */
 export function quaternionOf(m: Float64Array, offset: number, out: Float64Array): void {
   const xx = m[offset]!,
@@ -29,7 +33,14 @@ function set(out: Float64Array, x: number, y: number, z: number, w: number): voi
   out[3] = w * scale;
 }
 
-/** Spherical interpolation along the shorter arc, into `out`; `b` may be turned to its equal opposite. */
+/**
+ * Spherical interpolation along the shorter arc, into `out`; `b` may be turned to its equal opposite.
+ *
+ * @param a unit quaternion, w first
+ * @param b unit quaternion, w first
+ * @param share from 0, at a, to 1, at b
+ * @param out unit quaternion
+ */
 export function slerp(a: Float64Array, b: Float64Array, share: number, out: Float64Array): void {
   let dot = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]! + a[3]! * b[3]!;
   const sign = dot < 0 ? -1 : 1;
@@ -47,7 +58,13 @@ export function slerp(a: Float64Array, b: Float64Array, share: number, out: Floa
   set(out, wa * a[0]! + wb * b[0]!, wa * a[1]! + wb * b[1]!, wa * a[2]! + wb * b[2]!, wa * a[3]! + wb * b[3]!);
 }
 
-/** Rotation matrix of a unit quaternion, by rows, at `offset` in `out`. */
+/**
+ * Rotation matrix of a unit quaternion, by rows, at `offset` in `out`.
+ *
+ * @param quaternion unit, w first
+ * @param out rotation matrix by rows, 9 numbers from `offset`
+ * @param offset of the first
+ */
 export function matrixOf(quaternion: Float64Array, out: Float64Array, offset: number): void {
   const x = quaternion[0]!,
     y = quaternion[1]!,

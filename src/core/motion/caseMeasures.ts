@@ -8,6 +8,10 @@ export type Columns = (name: string) => Float64Array | undefined;
 
 /**
  * Columns of a run as plots and measures name them: recorded ones, and those that the catalogue computes of them.
+ *
+ * @param view of the system
+ * @param parameters by name, SI
+ * @param recorded columns of the run
  * @throws Error for a name that is neither
  */
 export function caseColumns(
@@ -26,7 +30,12 @@ export function caseColumns(
   };
 }
 
-/** The number that a measure names; `column` as made by `caseColumns`. NaN for a time without a row. */
+/**
+ * The number that a measure names; `column` as made by `caseColumns`. NaN for a time without a row.
+ *
+ * @param measure which number of which column
+ * @param column values by name, a row each
+ */
 export function measured(measure: Measure, column: (name: string) => Float64Array): number {
   const t = column('t');
   if (measure.kind === 'end') return column(measure.column)[t.length - 1]!;

@@ -87,7 +87,12 @@ const recorded = (name: string): Recipe => ({ from: [name], value: (columns, row
 const halfTurn = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
 const wrappedOf = (of: Recipe): Recipe => ({ ...of, value: (columns, row) => halfTurn(of.value(columns, row, 0)) });
 
-/** Every row of a finished motion. */
+/**
+ * Every row of a finished motion.
+ *
+ * @param source the motion
+ * @param name of the column
+ */
 export function everyRow(source: ColumnSource, name: string): Float64Array {
   const values = new ColumnValues(source, name);
   let found = values.get();
@@ -97,7 +102,13 @@ export function everyRow(source: ColumnSource, name: string): Float64Array {
 
 const made = new WeakMap<Trajectory, Map<string, ColumnValues>>();
 
-/** The values of a column, made once a motion. */
+/**
+ * The values of a column, made once a motion.
+ *
+ * @param source the motion
+ * @param name of the column
+ * @param wrapped angles are brought to within half a turn of zero
+ */
 export function valuesOf(source: ColumnSource, name: string, wrapped = false): ColumnValues {
   const key = wrapped ? `${name} wrapped` : name;
   let columns = made.get(source.trajectory);

@@ -175,7 +175,13 @@ function known(meta: SystemMeta, contacts: SystemView['contacts']): Map<string, 
   return found;
 }
 
-/** A column by its name; one that the system does not know is shown as it is recorded. */
+/**
+ * A column by its name; one that the system does not know is shown as it is recorded.
+ *
+ * @param meta of the system
+ * @param name as recorded
+ * @param contacts of the system, whose forces are named after them
+ */
 export function columnOf(meta: SystemMeta, name: string, contacts: SystemView['contacts'] = []): Column {
   const found = known(meta, contacts).get(name);
   if (found) return found;
@@ -184,14 +190,25 @@ export function columnOf(meta: SystemMeta, name: string, contacts: SystemView['c
   return column({ name, symbol: name, label: name, kind: 'ratio', group: 'other' });
 }
 
-/** Sums of coordinates, own rolls, and their rates, where what they are sums of is there. */
+/**
+ * Sums of coordinates, own rolls, and their rates, where what they are sums of is there.
+ *
+ * @param meta of the system
+ * @param has whether a column is there
+ */
 export function sumsOf(meta: SystemMeta, has: (name: string) => boolean): string[] {
   return (meta.sums ?? []).flatMap(({ name, of }) =>
     ['', '_dot'].flatMap((rate) => (of.every((c) => has(c + rate)) ? [name + rate] : [])),
   );
 }
 
-/** Every column of a motion: the recorded ones, then those that can be computed of them. */
+/**
+ * Every column of a motion: the recorded ones, then those that can be computed of them.
+ *
+ * @param view of the system
+ * @param recorded names of the recorded columns
+ * @param constraints whether constraints acted: their columns are offered
+ */
 export function columnsOf(view: SystemView, recorded: readonly string[], constraints = true): Column[] {
   const { meta } = view;
   const contacts = constraints ? view.contacts : [];
@@ -226,7 +243,13 @@ export const unitsOf = (columns: readonly Column[], inDegrees: boolean): string 
 /** The symbol, typeset. */
 export const symbolOf = ({ symbol, rate }: Column): Text => symbolText(symbol, rate);
 
-/** What stands at an axis: symbols while they are few, and their unit. */
+/**
+ * What stands at an axis: symbols while they are few, and their unit.
+ *
+ * @param columns on this axis
+ * @param inDegrees angles are shown in degrees
+ * @param most symbols that are named; more are counted
+ */
 export function axisText(columns: readonly Column[], inDegrees: boolean, most = 4): Text {
   const unit = unitsOf(columns, inDegrees);
   const symbols = columns.length <= most ? joined(columns.map(symbolOf)) : [];

@@ -23,6 +23,9 @@ const SAME_TIME = 1e-9;
 /**
  * The rows' times of both within the time they share: as fine as the finer of the two wherever it is, the same whichever
  * comes first.
+ *
+ * @param a one run
+ * @param b another of the same system
  * @returns null where they share no time
  */
 export function commonTimes(a: Trajectory, b: Trajectory): Float64Array | null {
@@ -47,6 +50,10 @@ export function commonTimes(a: Trajectory, b: Trajectory): Float64Array | null {
 
 /**
  * One column of a run less that of another, over the times they share.
+ *
+ * @param a one run
+ * @param b another of the same system
+ * @param name of the column
  * @param period 2 pi to count angles that differ by whole turns as equal; 0 to take them as recorded
  * @param times as made by `commonTimes`
  * @returns null where either has no such column or they share no time

@@ -76,6 +76,14 @@ export class Envelope {
  * A curve over rising times as few points as a picture can show: in each of `buckets` equal spans of [from, to] its
  * least and its largest value, in the order in which they come where that is known cheaply; all points where there are few.
  * Rows before and after the range are kept, so that lines leave the picture. `NaN` marks a gap.
+ *
+ * @param t rising times, s
+ * @param values of the curve, one a time
+ * @param envelope of the values
+ * @param from first time shown, s
+ * @param to last time shown, s
+ * @param buckets equal spans of the picture's width
+ * @param settled rows whose values no longer change
  */
 export function decimated(
   t: Float64Array,

@@ -2,7 +2,12 @@
 
 export const TURN = 2 * Math.PI;
 
-/** The same angle within half a period of zero. */
+/**
+ * The same angle within half a period of zero.
+ *
+ * @param angle rad
+ * @param period of a turn, rad
+ */
 export function shorter(angle: number, period: number): number {
   return angle - period * Math.round(angle / period);
 }

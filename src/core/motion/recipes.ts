@@ -20,8 +20,10 @@ export interface Recipe {
  * its absolute values (W), and `work`, its integral (J); `speed` and `path` over the ground (m/s, m); `<body>.x`, `.y`,
  * `.z`, the place of a body's origin (m).
  *
+ * @param view of the system
  * @param parameters by name, SI; those that are not named have their defaults
  * @param has whether a column is recorded
+ * @param name of the column
  */
 export function recipeOf(
   view: SystemView,

@@ -4,6 +4,8 @@ import type { Trajectory } from './trajectory.ts';
 /**
  * Values of one column at rising times, clamped to the trajectory's rows, as `interpolate` has them.
  *
+ * @param trajectory with the column
+ * @param name of the column
  * @param times rising, s
  * @param period of an angle (2 pi) whose record may jump by whole turns
  * @returns one value a time, or null where there is no such column or no row
@@ -21,7 +23,14 @@ export function resample(trajectory: Trajectory, name: string, times: Float64Arr
   });
 }
 
-/** As `resample`, at one time; NaN where a row's value is. */
+/**
+ * As `resample`, at one time; NaN where a row's value is.
+ *
+ * @param trajectory with the column
+ * @param name of the column
+ * @param time s
+ * @param period of an angle (2 pi) whose values are equal to whole turns, or 0
+ */
 export function valueAt(trajectory: Trajectory, name: string, time: number, period = 0): number | null {
   const y = trajectory.column(name);
   if (!y || y.length === 0) return null;
@@ -35,7 +44,13 @@ export function valueAt(trajectory: Trajectory, name: string, time: number, peri
   );
 }
 
-/** The last of the first `rows` rows with t <= time, the first where there is none. */
+/**
+ * The last of the first `rows` rows with t <= time, the first where there is none.
+ *
+ * @param trajectory with times
+ * @param time s
+ * @param rows how many of its rows count
+ */
 export function rowAt(trajectory: Trajectory, time: number, rows = trajectory.length): number {
   const last = rows - 1;
   if (last < 0) return 0;

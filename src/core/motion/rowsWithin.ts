@@ -1,4 +1,10 @@
-/** First of the rows within [from, to], and the one after the last. @param t times, s, never falling */
+/**
+ * First of the rows within [from, to], and the one after the last.
+ *
+ * @param t times, s, never falling
+ * @param from first time, s
+ * @param to last time, s
+ */
 export function rowsWithin(t: Float64Array, from: number, to: number): [number, number] {
   const firstWhere = (beyond: (time: number) => boolean): number => {
     let [low, high] = [0, t.length];

@@ -20,7 +20,11 @@ export type FactKind = Exclude<SweepMeasure['kind'], 'end' | 'max' | 'min'>;
 /** Of standard gravity, for systems that name none. */
 const STANDARD_GRAVITY = 9.81;
 
-/** Extra columns that the measures need of a run. */
+/**
+ * Extra columns that the measures need of a run.
+ *
+ * @param measures of the sweep
+ */
 export function extrasFor(measures: readonly SweepMeasure[]): string[] {
   const columns = measures.flatMap((m) => ('column' in m ? [m.column] : []));
   const extras: string[] = [];
@@ -39,6 +43,8 @@ export function extrasFor(measures: readonly SweepMeasure[]): string[] {
 /**
  * Whether rows between the first and the last change what is measured: the end of a coordinate or of its rate is in the
  * last row, and when a run ended or how many steps it took is in none. Each row costs a look into a step and a projection.
+ *
+ * @param measures of the sweep
  */
 export function needsRows(measures: readonly SweepMeasure[], { coordinates }: SystemMeta): boolean {
   const states = new Set(coordinates.flatMap(({ name }) => [name, `${name}_dot`]));

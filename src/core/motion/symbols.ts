@@ -36,7 +36,12 @@ export function symbolText(symbol: string, rate = false): Text {
 /** Words as they are. */
 export const words = (text: string): Text => (text === '' ? [] : [{ text }]);
 
-/** Texts one after another with something between. */
+/**
+ * Texts one after another with something between.
+ *
+ * @param texts to be joined
+ * @param between what stands between two
+ */
 export function joined(texts: readonly Text[], between = ', '): Text {
   return texts.flatMap((text, i) => (i === 0 ? text : [{ text: between }, ...text]));
 }

@@ -29,7 +29,10 @@ type Signal = Pick<Saturation, 'value'> & Partial<Pick<Saturation, 'addSlopes'>>
  * With a plan, formulas keep what their switches decided for the stretch that the plan is in, and a controller the side of
  * its limit; without one everything is decided anew at every moment.
  *
+ * @param scenario checked
+ * @param meta of its system
  * @param feedback an lqr's state feedback by input; its design is no part of a run (`control/feedback.ts`)
+ * @param planned formulas keep what their switches decided; null: they decide at every evaluation
  * @param computer the one to take in place of a new one, so that rows show what acts in the steps
  */
 export function actuationOf(

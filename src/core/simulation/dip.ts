@@ -18,7 +18,10 @@ const MOST_LOOKS = 60;
 
 /**
  * @param value of the function; evaluated within [low, high]
- * @param lowValue, highValue positive values at the two
+ * @param low first time, s
+ * @param lowValue the function's value there, positive
+ * @param high last time, s
+ * @param highValue the function's value there, positive
  * @returns a point between at which the function is not positive; null where none was found
  */
 export function dipBetween(

@@ -72,7 +72,13 @@ export class EnergyBalance {
   }
 }
 
-/** An energy change beside the largest kinetic energy, or null for a system at rest. @param size the largest energy, J */
+/**
+ * An energy change beside the largest kinetic energy, or null for a system at rest.
+ *
+ * @param change of the energy, J
+ * @param kinetic largest kinetic energy, J
+ * @param size the largest energy, J
+ */
 export function driftOf(change: number, kinetic: number, size: number): number | null {
   return kinetic > AT_REST * size && kinetic > 0 ? change / kinetic : null;
 }

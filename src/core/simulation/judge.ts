@@ -15,7 +15,10 @@ export interface Judgement {
 
 /**
  * Judges a motion by the system's own equations, from coordinates and velocities alone.
+ *
+ * @param system by whose equations it is judged
  * @param parameters by name, SI
+ * @param constraints id of the constraint set
  * @param column values of a named column, or undefined
  * @returns null when a velocity is not recorded (positions alone tell neither), and for a system of first order
  */

@@ -40,6 +40,8 @@ export const needsEveryMotion = ({ name, formulation = MULTIPLIERS }: MethodOpti
  *
  * A step of `ida` can pass over a state with dependent constraints: there only the run's event (or projection) stops it.
  *
+ * @param method name, tolerances, formulation and engine
+ * @param dynamics the constrained system that is to be advanced
  * @throws ScenarioError
  */
 export function motionOf(method: MethodOptions, dynamics: ConstrainedSystem): Motion {

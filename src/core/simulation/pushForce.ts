@@ -153,7 +153,12 @@ export class PushForce {
   }
 }
 
-/** Two outside forces as one; `second` has its derivatives, and so has the sum where the first has. */
+/**
+ * Two outside forces as one; `second` has its derivatives, and so has the sum where the first has.
+ *
+ * @param first outside force, or none
+ * @param second outside force with its derivatives
+ */
 export function together(first: Forcing | null, second: Forcing): Forcing {
   if (!first) return second;
   const sum: Forcing = (t, q, v, force) => {

@@ -33,7 +33,11 @@ const ASKED = [4, 2, 1] as const;
 /** Methods beside which Gauss is the second one. */
 const FOR_GAUSS: ReadonlySet<string> = new Set(['dop853', 'radau', 'bdf', 'ida']);
 
-/** The scenario of a second run. */
+/**
+ * The scenario of a second run.
+ *
+ * @param scenario of the first run
+ */
 export function secondScenario(scenario: Scenario): Scenario {
   return { ...scenario, method: secondMethod(scenario.method), columns: [] };
 }

@@ -26,7 +26,9 @@ export interface Block {
 
 /**
  * Whether J is [0 I; K D] to the last bit.
+ *
  * @param J n x n, row-major
+ * @param n dimension of the state; an odd one is none of second order
  */
 export function isSecondOrder(J: Float64Array, n: number): boolean {
   if (n % 2 !== 0) return false;

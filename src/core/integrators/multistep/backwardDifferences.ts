@@ -136,7 +136,9 @@ function resampling(order: number, r: number, R: Float64Array): void {
 
 /**
  * Value of the polynomial of differences of an order (Newton's form, for equal steps).
+ *
  * @param D differences at t_n, each n
+ * @param order of the polynomial; uses differences 0 to this
  * @param s where: at t_n + s h
  * @param out n
  */

@@ -27,8 +27,10 @@ export function nonzero(weights: readonly number[], k: readonly Float64Array[]):
 
 /**
  * out = y + h times the weighted sum.
+ *
  * @param y n
  * @param h step, s
+ * @param sum what is summed: slopes (n each) with their weights
  * @param out n
  */
 export function stageState(y: Float64Array, h: number, sum: Combination, out: Float64Array): void {
@@ -110,6 +112,8 @@ export function stageState(y: Float64Array, h: number, sum: Combination, out: Fl
 
 /**
  * out = the weighted sum.
+ *
+ * @param sum what is summed: slopes (n each) with their weights
  * @param out n
  */
 export function weightedSum(sum: Combination, out: Float64Array): void {

@@ -1,18 +1,31 @@
 /** Real polynomials as lists of coefficients by rising powers: `polynomial[k]` belongs to x^k. */
 
-/** The value at x. */
+/**
+ * The value at x.
+ *
+ * @param polynomial coefficients, the constant first
+ * @param x where
+ */
 export function valueAt(polynomial: ArrayLike<number>, x: number): number {
   let sum = 0;
   for (let k = polynomial.length - 1; k >= 0; k--) sum = sum * x + polynomial[k]!;
   return sum;
 }
 
-/** The derivative. */
+/**
+ * The derivative.
+ *
+ * @param polynomial coefficients, the constant first
+ */
 export function derivativeOf(polynomial: readonly number[]): number[] {
   return polynomial.slice(1).map((a, power) => (power + 1) * a);
 }
 
-/** The integral from 0. */
+/**
+ * The integral from 0.
+ *
+ * @param polynomial coefficients, the constant first
+ */
 export function integralOf(polynomial: readonly number[]): number[] {
   return [0, ...polynomial.map((a, power) => a / (power + 1))];
 }

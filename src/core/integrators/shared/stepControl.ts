@@ -67,10 +67,13 @@ export class PiController {
 
 /**
  * Root mean square of h error / (atol + rtol max(|y0|, |y1|)); infinite when anything is not a number.
+ *
  * @param error error estimate divided by h, n
  * @param h length of the step, s; 1 where `error` is the whole
  * @param y0 start of the step, n
  * @param y1 end of the step, n
+ * @param rtol relative tolerance
+ * @param atol absolute tolerance, in the state's own units
  */
 export function errorNorm(
   error: Float64Array,
@@ -92,11 +95,14 @@ export function errorNorm(
 /**
  * Norm of two estimates that falls by an order faster than either: h e^2 / sqrt(e^2 + 0.01 e_low^2), as in DOP853; Hairer,
  * Nørsett and Wanner I, section II.10. Infinite when anything is not a number.
+ *
  * @param error estimate of high order divided by h, n
  * @param low estimate of low order divided by h, n
  * @param h length of the step, s
  * @param y0 start of the step, n
  * @param y1 end of the step, n
+ * @param rtol relative tolerance
+ * @param atol absolute tolerance, in the state's own units
  */
 export function pairedErrorNorm(
   error: Float64Array,

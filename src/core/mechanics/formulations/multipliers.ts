@@ -65,7 +65,13 @@ export class Multipliers implements Formulation {
   }
 }
 
-/** y = [q, v], for every formulation that integrates the state as it is. */
+/**
+ * y = [q, v], for every formulation that integrates the state as it is.
+ *
+ * @param q coordinates, n
+ * @param v rates, n
+ * @param y the pair, 2 n
+ */
 export function stateToPair(q: Float64Array, v: Float64Array, y: Float64Array): void {
   const n = q.length;
   for (let i = 0; i < n; i++) {
@@ -74,6 +80,13 @@ export function stateToPair(q: Float64Array, v: Float64Array, y: Float64Array): 
   }
 }
 
+/**
+ * [q, v] = y, for every formulation that integrates the state as it is.
+ *
+ * @param y the pair, 2 n
+ * @param q coordinates, n
+ * @param v rates, n
+ */
 export function pairToState(y: Float64Array, q: Float64Array, v: Float64Array): void {
   const n = q.length;
   for (let i = 0; i < n; i++) {

@@ -12,7 +12,12 @@ const makers: Readonly<Record<FormulationId, (dynamics: ConstrainedSystem) => Fo
   blt: (dynamics) => new BlockTriangular(dynamics),
 };
 
-/** A formulation by its permanent id, or undefined where there is none of that name. */
+/**
+ * A formulation by its permanent id, or undefined where there is none of that name.
+ *
+ * @param id permanent id, of `formulations.ts`
+ * @param dynamics the constrained system that is to be advanced
+ */
 export function createFormulation(id: string, dynamics: ConstrainedSystem): Formulation | undefined {
   return Object.hasOwn(makers, id) ? makers[id as FormulationId](dynamics) : undefined;
 }

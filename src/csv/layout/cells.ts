@@ -21,6 +21,17 @@ export function blankCells(line: string): string[] {
   return (text.match(/"[^"]*"|[^\s"]+/g) ?? []).map((cell) => cell.replace(/^"(.*)"$/, '$1'));
 }
 
+/** Names between blanks, so many of them where that can be: units in brackets belong to the name before. */
+export function blankTitles(line: string, width: number): string[] {
+  const plain = blankCells(line);
+  if (plain.length === width) return plain;
+  const text = line.trim();
+  const merged = text.match(/[^\s[(]+(?:\s*[[(][^\])]*[\])])?/g) ?? [];
+  if (merged.length === width) return merged;
+  const apart = text.split(/\s{2,}|\t/);
+  return apart.length === width ? apart : plain;
+}
+
 /** What one cell of a table can be. */
 export type CellForm = 'number' | 'time' | 'missing' | 'text';
 

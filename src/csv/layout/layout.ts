@@ -1,6 +1,6 @@
 import type { ImportChoices, Separator } from '../plan.ts';
 import { isUnit } from '../units/units.ts';
-import { cellsOf, formOf } from './cells.ts';
+import { blankTitles, cellsOf, formOf } from './cells.ts';
 import { isMissing } from './errors.ts';
 import { isComment, recordLength, COMMENT } from './records.ts';
 import { propertiesOf, type Property } from './preamble.ts';
@@ -63,7 +63,7 @@ export function layoutOf(
   const commented =
     header < 0 && choices.headerLine === undefined ? commentedHeader(all, lines, first, separator, names) : null;
   const body = header >= 0 ? header + 1 : Math.max(first, 0);
-  const titles = header >= 0 ? [...lines[header]!.cells] : (commented?.cells ?? null);
+  const titles = header >= 0 ? titlesOf(lines[header]!, lines[first], separator) : (commented?.cells ?? null);
   let next = body;
   const headerLines = header >= 0 ? [lines[header]!.number] : commented ? [commented.number] : [];
   let units: string[] | null = null;
@@ -75,6 +75,7 @@ export function layoutOf(
       else if (fillsTitles(cells, titles)) headerLines.push(number);
       else break;
     }
+  if (commented?.units) ({ units, unitsLine } = commented);
   const rows = lines.slice(next, next + MOST_ROWS).map((line) => line.cells);
   if (rows.length === 0 && !titles) return null;
   const width = titles ? widthWith(titles, rows) : trimmed(lines[next]!.cells);
@@ -146,7 +147,18 @@ function firstRowOf(lines: readonly Line[], comma: boolean): number {
   const own = forms.filter((form) => form.row && form.width === width);
   // Lines of a name and a number stand above a table of two columns.
   const texts = own.filter((form) => form.text).length > own.length / 2;
-  return forms.findIndex((form) => form.row && form.width === width && form.text === texts);
+  const isRow = (form: (typeof forms)[number]): boolean => form.row && form.width === width && form.text === texts;
+  // Numbers above the names (a row of ids, say) are alone among words.
+  const followed = (i: number): boolean => {
+    const next = forms.slice(i + 1, i + 4);
+    return next.filter((form) => form.row).length * 2 >= next.length;
+  };
+  const index = forms.findIndex((form, i) => isRow(form) && followed(i));
+  return index >= 0 ? index : forms.findIndex(isRow);
+}
+
+function titlesOf({ text, cells }: Line, row: Line | undefined, separator: Separator): string[] {
+  return separator === 'blanks' && row ? blankTitles(text, trimmed(row.cells)) : [...cells];
 }
 
 /** Index of the line with the names, or -1. */
@@ -179,17 +191,25 @@ function headerOf(
   return -1;
 }
 
-/** numpy.savetxt writes its header as a comment. */
+interface CommentedHeader {
+  number: number;
+  cells: string[];
+  units: string[] | null;
+  unitsLine: number | null;
+}
+
+/** numpy.savetxt writes its header as a comment; a comment with the units may follow. */
 function commentedHeader(
   all: readonly { number: number; text: string; comment: boolean }[],
   lines: readonly Line[],
   first: number,
   separator: Separator,
   names: (cells: readonly string[]) => number,
-): { number: number; cells: string[] } | null {
+): CommentedHeader | null {
   const row = lines[first];
   if (!row) return null;
   const width = trimmed(row.cells);
+  let below: { units: string[]; unitsLine: number } | null = null;
   for (const line of all
     .filter((l) => l.comment && l.number < row.number)
     .reverse()
@@ -198,10 +218,14 @@ function commentedHeader(
       .replace(COMMENT, '')
       .replace(/["',;\t]*$/, '')
       .trim();
-    for (const by of [separator, ',', 'blanks', '\t', ';'] as const) {
-      const cells = cellsOf(text, by);
-      if (cells.length === width && names(cells) > 0) return { number: line.number, cells };
-    }
+    const ways = ([separator, ',', '\t', ';', 'blanks'] as const)
+      .map((by) => (by === 'blanks' ? blankTitles(text, width) : cellsOf(text, by)))
+      .filter((cells) => cells.length === width);
+    const units = ways.find(isUnitsRow) ?? null;
+    const cells = ways.sort((a, b) => names(b) - names(a))[0];
+    if (cells && !units && names(cells) > 0)
+      return { number: line.number, cells, units: below?.units ?? null, unitsLine: below?.unitsLine ?? null };
+    if (units) below = { units, unitsLine: line.number };
   }
   return null;
 }

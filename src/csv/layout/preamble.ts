@@ -41,7 +41,7 @@ export function stepOf(properties: readonly Property[]): number | null {
   }
   const interval = valueOf(
     properties,
-    /^(?:sampl(?:e|ing)[\s_-]*(?:interval|period|time)|interval|period|time[\s_-]*step|dt|delta[\s_-]*t|step)\b/i,
+    /^(?:sampl(?:e|ing)[\s_-]*(?:interval|period|time)|interval|period|time[\s_-]*step|dt|delta[\s_-]*[tx]|step)\b/i,
   );
   const match = interval && /^\s*(\d+(?:[.,]\d+)?(?:e[+-]?\d+)?)\s*(ms|us|µs|s|min)?/i.exec(interval);
   if (match && +match[1]!.replace(',', '.') > 0)

@@ -18,7 +18,13 @@ export function plainName(name: string): string {
     .replace(/[αβψθϑφϕλτ]/g, (letter) => GREEK[letter]!)
     .replace(/^([a-z]+)\u0307/, '$1dot')
     .replace(/[\u0300-\u036f]/g, '')
+    .replace(/^(['"])(.*)\1$/, '$2')
     .replace(/[\s_-]+/g, '');
+}
+
+/** `x/value`, `x.position`: the last word says what a coordinate is anyhow. Null where there is none. */
+export function withoutSuffix(name: string): string | null {
+  return /^(.+)[./:](?:value|val|position|angle|data)$/i.exec(name)?.[1] ?? null;
 }
 
 /** Ways to write the rate of something; the first group is what it is the rate of. */
@@ -29,8 +35,8 @@ const RATES: readonly RegExp[] = [
   /^d_?(.+?)_?dt$/i,
   /^dot\s*\(\s*(.+?)\s*\)$/i,
   /^(.+?)['′’`]$/,
-  /^(.+?)[\s_.-]*(?:velocity|vel|speed|rate|punto|punkt)$/i,
-  /^(?:velocity|vel|speed|omega)[\s_.-]*(.+)$/i,
+  /^(.+?)[\s_./:-]*(?:velocity|vel|speed|rate|punto|punkt|geschwindigkeit)$/i,
+  /^(?:velocity|vel|speed|omega|geschwindigkeit|velocidad|vitesse|velocit[aà])[\s_.-]*(.+)$/i,
   /^v_?(.+)$/i,
   /^d_?(.+)$/i,
   /^(.+)_d$/i,

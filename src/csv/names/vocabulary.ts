@@ -1,7 +1,7 @@
 import type { SystemMeta } from '../../core/model/system.ts';
 import { factorOf, type Kind } from '../units/units.ts';
-import { splitTitle, unitBehind } from '../units/titles.ts';
-import { plainName, ratesOf, withoutPrefix } from './plainName.ts';
+import { splitTitle, unitBehind, unitsBehind } from '../units/titles.ts';
+import { plainName, ratesOf, withoutPrefix, withoutSuffix } from './plainName.ts';
 import { isDateName, isFrameName, timeRank } from '../time/timeNames.ts';
 
 export type Systems = Readonly<Record<string, SystemMeta>>;
@@ -46,14 +46,31 @@ const HEADINGS = [
   'gierwinkel',
   'cap',
   'lacet',
+  'guinada',
+  'rumbo',
+  'imbardata',
+  'gieren',
   'rz',
   'rotz',
   'eulerz',
   'rotationz',
 ];
-const PITCHES = ['pitch', 'pitchangle', 'nick', 'nickwinkel', 'tangage', 'ry', 'roty', 'eulery'];
-const ROLLS = ['roll', 'rollangle', 'rollwinkel', 'roulis', 'rx', 'rotx', 'eulerx', 'bank'];
-const POSITIONS = ['pos', 'position', 'p', 't', 'translation', 'coord', 'location', 'loc'];
+const PITCHES = ['pitch', 'pitchangle', 'nick', 'nickwinkel', 'nicken', 'tangage', 'cabeceo', 'beccheggio', 'ry', 'roty', 'eulery'];
+const ROLLS = ['roll', 'rollangle', 'rollwinkel', 'rollen', 'roulis', 'alabeo', 'balanceo', 'rollio', 'rx', 'rotx', 'eulerx', 'bank'];
+const POSITIONS = [
+  'pos',
+  'position',
+  'posicion',
+  'posicao',
+  'posizione',
+  'positie',
+  'p',
+  't',
+  'translation',
+  'coord',
+  'location',
+  'loc',
+];
 
 const known = new WeakMap<SystemMeta, Vocabulary>();
 
@@ -82,6 +99,13 @@ export function vocabularyOf(meta: SystemMeta): Vocabulary {
   for (const q of meta.coordinates.filter(({ name, kind }) => kind === 'length' && /^[xyz]$/i.test(name)))
     for (const position of POSITIONS) {
       add(position + q.name, q.name, 'length', true, aliases);
+      // An array's parts, `position.0`, `pos[0]`.
+      if (position.length > 2)
+        for (const [open, close] of [
+          ['.', ''],
+          ['[', ']'],
+        ] as const)
+          add(`${position}${open}${'xyz'.indexOf(q.name.toLowerCase())}${close}`, q.name, 'length', true, aliases);
       if (position.length > 1) add(q.name + position, q.name, 'length', true, aliases);
     }
   const made = { words, aliases };
@@ -102,15 +126,19 @@ function named(name: string, unit: string, vocabulary: Vocabulary, rank: number)
   const other = aliases.get(plainName(name));
   if (other) return { word: other, unit, rank: rank + 2 };
   for (const base of ratesOf(name)) {
-    const of = words.get(plainName(base)) ?? aliases.get(plainName(base));
+    const last = withoutPrefix(base);
+    const of = [base, ...(last ? [last] : [])]
+      .flatMap((n) => words.get(plainName(n)) ?? aliases.get(plainName(n)) ?? [])
+      .at(0);
     const rate = of && words.get(plainName(`${of.name}_dot`));
     if (rate) return { word: rate, unit, rank: rank + 3 };
   }
-  const behind = unit === '' ? unitBehind(name) : null;
-  if (behind) {
+  for (const behind of unit === '' ? unitsBehind(name) : []) {
     const hit = named(behind.name, behind.unit, vocabulary, rank + 1);
     if (hit && factorOf(behind.unit, hit.word.kind) !== undefined) return hit;
   }
+  const whole = withoutSuffix(name);
+  if (whole) return named(whole, unit, vocabulary, rank + 1);
   const last = rank < 10 ? withoutPrefix(name) : null;
   return last ? named(last, unit, vocabulary, rank + 10) : null;
 }

@@ -2,7 +2,7 @@ import { plainName } from '../names/plainName.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
 const TIMES = new Set(
-  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
     ' ',
   ),
 );

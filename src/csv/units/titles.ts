@@ -11,13 +11,18 @@ export interface Title {
   unit: string;
 }
 
-/** `der(x)`, `d(x)/dt`, `X(front)`: brackets that belong to the name. */
-const FUNCTION = /^(?:der|d|diff|ddt|dot)\s*$/i;
+/** `der(x)`, `board.der(x)`, `d(x)/dt`: brackets that belong to the name. */
+const FUNCTION = /(?:^|[.\s/:])(?:der|d|diff|ddt|dot)\s*$/i;
+/** `x(t)`, `x[t]`, `x'[t]`: of time, which is no unit. */
+const OF_TIME = /\s*(?:\(t\)|\[t\])$/;
+/** `yawDeg`, `xMm`: the unit is the last word of a name in camel case. */
+const LAST_WORD = /^(.*[a-z0-9XYZ])(Deg|Degrees|Rad|Radians|Mm|Cm|Meters|Metres|Ms|Millis|Us|Micros|Ns|Nanos|Sec|Seconds)$/;
 
 /** Splits `alpha [deg]` and `time (s)` into name and unit: what stands in brackets is the unit, understood or not. */
 export function splitTitle(title: string): Title {
   if (title.length > LONGEST_TITLE) return { name: '', unit: '' };
   const line = title.trim().replace(/\s+/g, ' ');
+  if (OF_TIME.test(line)) return { name: line.replace(OF_TIME, ''), unit: '' };
   const match = BRACKETED.exec(line);
   if (!match || FUNCTION.test(match[1]!)) return { name: line, unit: '' };
   // ISO 80000 writes `v/(m/s)`.
@@ -26,13 +31,16 @@ export function splitTitle(title: string): Title {
 
 /** A unit behind the name without brackets, where it is one; null otherwise. */
 export function unitBehind(name: string): Title | null {
-  if (name.length > LONGEST_TITLE) return null;
-  // `v/m/s`: the first slash may be the one that divides name and unit.
-  for (const pattern of [/^([^/]+)\s*[/:]\s*([^:]+)$/, BEHIND]) {
+  return unitsBehind(name)[0] ?? null;
+}
+
+/** Every way to part a name from a unit behind it: `v/m/s` and `v_x_mm/s` have two. */
+export function unitsBehind(name: string): Title[] {
+  if (name.length > LONGEST_TITLE) return [];
+  return [/^([^/]+)\s*[/:]\s*([^:]+)$/, BEHIND, LAST_WORD].flatMap((pattern) => {
     const match = pattern.exec(name);
-    if (match && isUnit(match[2]!)) return { name: match[1]!.trim(), unit: match[2]!.trim() };
-  }
-  return null;
+    return match && isUnit(match[2]!) ? [{ name: match[1]!.trim(), unit: match[2]!.trim() }] : [];
+  });
 }
 
 /** A title on one line that a message can hold. */

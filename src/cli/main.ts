@@ -21,7 +21,7 @@ const USAGE = `Usage:
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
   npm run --silent ripstik -- read FILE [--out RUN.csv]              any table of numbers: what is understood, as JSON; its rows as CSV
-       [--units alpha=deg,…] [--map theta=yaw,…] [--time COLUMN] [--step SECONDS] [--system ID] [--run N] [--rates savitzky-golay]
+       [--units alpha=deg,…] [--map theta=yaw,…] [--time COLUMN] [--step SECONDS] [--system ID] [--run N] [--body NAME] [--scalar first|last] [--rates savitzky-golay]
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
@@ -85,7 +85,7 @@ function takeFlag(rest: string[], name: string): boolean {
 }
 
 function readOptions(rest: string[]): ReadOptions {
-  const names = ['units', 'step', 'map', 'time', 'system', 'run', 'rates'] as const;
+  const names = ['units', 'step', 'map', 'time', 'system', 'run', 'body', 'scalar', 'rates'] as const;
   return Object.fromEntries(names.map((name) => [name, takeOption(rest, `--${name}`)]));
 }
 

@@ -21,6 +21,10 @@ export interface ReadOptions {
   /** Id, or `none` for data. */
   system?: string | undefined;
   run?: string | undefined;
+  /** Name of one of several bodies. */
+  body?: string | undefined;
+  /** `first` or `last`: which of a quaternion's four numbers is the scalar. */
+  scalar?: string | undefined;
   /** `savitzky-golay`: rates that the file lacks, by differentiation. */
   rates?: string | undefined;
 }
@@ -81,13 +85,15 @@ async function readFile(
   }
 }
 
-function choicesOf({ units, step, map, time, system, run, rates }: ReadOptions): ImportChoices {
+function choicesOf({ units, step, map, time, system, run, body, scalar, rates }: ReadOptions): ImportChoices {
   if (step !== undefined && !(+step > 0 && +step < Infinity))
     throw new UsageError(`--step must be a number of seconds greater than 0, not "${step}"`);
   if (run !== undefined && !(Number.isInteger(+run) && +run > 0))
     throw new UsageError(`--run must be a whole number from 1, not "${run}"`);
   if (rates !== undefined && rates !== 'none' && rates !== 'savitzky-golay')
     throw new UsageError(`--rates must be none or savitzky-golay, not "${rates}"`);
+  if (scalar !== undefined && scalar !== 'first' && scalar !== 'last')
+    throw new UsageError(`--scalar must be first or last, not "${scalar}"`);
   return {
     ...(units === undefined ? {} : { units: pairsOf('--units', units) }),
     ...(map === undefined ? {} : { map: pairsOf('--map', map) }),
@@ -95,6 +101,8 @@ function choicesOf({ units, step, map, time, system, run, rates }: ReadOptions):
     ...(time === undefined ? {} : { time }),
     ...(system === undefined ? {} : { system: system === 'none' ? null : system }),
     ...(run === undefined ? {} : { run: +run }),
+    ...(body === undefined ? {} : { body }),
+    ...(scalar === undefined ? {} : { scalar }),
     ...(rates === undefined ? {} : { rates }),
   };
 }
@@ -148,13 +156,17 @@ function write(out: string, file: string, { columns, data, rows, scenario }: Mot
 
 function reportOf(result: Motion, choices: ImportChoices, name: string): object {
   const { plan, issues } = result;
-  const quaternion = plan.columns.filter((c) => c.role === 'quaternion');
+  const attitude = plan.columns.filter((c) => c.role === 'attitude');
   const columns = result.columns.map((column) => {
     if (column === 't') return { name: 't', ...timeSource(result) };
     const own = plan.columns.find((c) => c.name === column);
     if (own) return { name: column, source: own.title || own.source, ...unitOf(own) };
-    if (quaternion.length > 0 && !column.endsWith('_dot'))
-      return { name: column, source: quaternion.map((c) => c.title || c.source).join(', '), unit: 'quaternion' };
+    if (attitude.length > 0 && !column.endsWith('_dot'))
+      return {
+        name: column,
+        source: attitude.map((c) => c.source).join(', '),
+        unit: plan.euler ? attitude[0]!.unit : 'quaternion',
+      };
     return { name: column, source: `differentiated ${column.replace(/_dot$/, '')}`, unit: 'SI' };
   });
   const listed = issues.slice(0, MOST_LISTED).map(described);
@@ -192,6 +204,8 @@ const HINTS: Record<string, string> = {
   'time-unit': '; --units t=ms says otherwise',
   'time-step': '; --step SECONDS says otherwise',
   'several-runs': '; --run NUMBER takes another',
+  'several-bodies': '; --body NAME takes another',
+  scalar: '; --scalar first or last says otherwise',
 };
 const hint = (id: string): string => HINTS[id] ?? '';
 

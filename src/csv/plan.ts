@@ -41,12 +41,17 @@ export interface ImportChoices {
   step?: number;
   /** Which of several runs in one file, from 1. */
   run?: number;
+  /** Which of several bodies in one file, by name. */
+  body?: string;
+  /** Which of a quaternion's four numbers the scalar is, where their names do not say. */
+  scalar?: 'first' | 'last';
   /** The axis that points up. */
   up?: 'y' | 'z';
   rates?: RatesChoice;
 }
 
-export type QuestionId = 'time-step' | 'time-unit' | 'degrees' | 'lengths' | 'several-runs' | 'date-order';
+export type QuestionId =
+  'time-step' | 'time-unit' | 'degrees' | 'lengths' | 'several-runs' | 'several-bodies' | 'scalar' | 'date-order';
 
 /** Something that the file leaves open. An answer is read by merging its choices into those there are. */
 export interface Question {
@@ -76,8 +81,8 @@ export interface ColumnPlan {
   /** Times this is SI and radians. */
   factor: number;
   kind: Kind;
-  /** What the column gives: one of a quaternion's four is no angle by itself. */
-  role: 'time' | 'coordinate' | 'rate' | 'other' | 'quaternion' | 'data' | 'unused';
+  /** What the column gives: one part of an attitude (`qx` … `qw`, `rx` … `rz`) is no angle of the system by itself. */
+  role: 'time' | 'coordinate' | 'rate' | 'other' | 'attitude' | 'data' | 'unused';
 }
 
 export type TimeForm = 'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'frame' | 'counted';
@@ -116,6 +121,16 @@ export interface ImportPlan {
   time: TimePlan;
   /** One long column of names: indices of time, name, value, and the names that become columns. */
   long: { time: number; name: number; value: number; names: readonly string[] } | null;
+  /** Runs found in the file, and the one that is read; 0 before all rows are read. */
+  runs: number;
+  run: number | null;
+  /** Names of the bodies in the file, where there are several, and the one that is read. */
+  bodies: readonly string[];
+  body: string | null;
+  /** Rows are read that have this in this column, where several bodies stand one below another. */
+  only: { column: number; value: string } | null;
+  /** Order of the turns where the attitude is Euler angles, each about the axes turned before; null where it is not. */
+  euler: string | null;
   up: 'y' | 'z';
   rates: RatesChoice;
   questions: readonly Question[];

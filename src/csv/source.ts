@@ -8,6 +8,8 @@ export interface Source {
   title: string;
   /** With the group it stands in, without the unit; unique. */
   name: string;
+  /** The same, where it need not be unique. */
+  plain: string;
   /** In its title, or ''. */
   unit: string;
   /** In a row of units, or ''. */
@@ -26,17 +28,18 @@ export function sourcesOf(layout: Layout): Source[] {
     const group = layout.groups
       .map((names) => names[index] ?? '')
       .filter((name) => name !== '' && !EMPTY_GROUP.test(name));
-    let name = [...group, own].join('.');
-    for (let k = 2; taken.has(name); k++) name = `${[...group, own].join('.')} (${k})`;
+    const plain = [...group, own].join('.');
+    let name = plain;
+    for (let k = 2; taken.has(name); k++) name = `${plain} (${k})`;
     taken.add(name);
     const rowUnit = (layout.units?.[index] ?? '').trim().replace(/^[[({](.*)[\])}]$/, '$1');
-    return { index, title, name, unit: split.unit, rowUnit: isUnit(rowUnit) ? rowUnit : '' };
+    return { index, title, name, plain, unit: split.unit, rowUnit: isUnit(rowUnit) ? rowUnit : '' };
   });
 }
 
 /** The title as a name is looked up by: with its group, and its unit in brackets. */
 export function lookedUp(source: Source): string {
-  return source.unit === '' ? source.name : `${source.name} [${source.unit}]`;
+  return source.unit === '' ? source.plain : `${source.plain} [${source.unit}]`;
 }
 
 /** Whether words of a person mean a column: its name, its title, its name without a unit, or its number. */

@@ -47,6 +47,8 @@ const CHECKS: Readonly<Record<keyof ImportChoices, Check>> = {
   dateOrder: oneOf('day first', 'month first'),
   step: (value) => typeof value === 'number' && value > 0 && Number.isFinite(value),
   run: (value) => whole(value) && value !== 0,
+  body: text,
+  scalar: oneOf('first', 'last'),
   up: oneOf('y', 'z'),
   rates: oneOf('none', 'savitzky-golay'),
 };

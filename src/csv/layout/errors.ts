@@ -15,7 +15,8 @@ export function beginsWithError(line: string): boolean {
 }
 
 /** Cells that say "nothing measured here". */
-const MISSING = /^(?:|-|–|—|\.|[+-]?nan(?:\(.*\))?|-?1\.#(?:qnan|ind|snan)\d*|na|n\/a|n\.a\.|null|none|nil|missing|--+|\\n|\?)$/i;
+const MISSING =
+  /^(?:|-|–|—|\.|[+-]?nan(?:\(.*\))?|-?1\.#(?:qnan|ind|snan)\d*|na|n\/a|n\.a\.|null|none|nil|missing|--+|\\n|\?)$/i;
 
 /** Text that stands for a missing value: costs nothing where the column is not needed. */
 export function isMissing(cell: string): boolean {

@@ -4,6 +4,7 @@ import type { Source } from '../source.ts';
 import { factorOf, kindOf, RIGHT_UNITS, type Kind } from '../units/units.ts';
 import { shortened, splitTitle, unitBehind } from '../units/titles.ts';
 import { defaultUnit } from '../units/defaults.ts';
+import type { Attitude } from './attitude.ts';
 import type { Candidate } from './systems.ts';
 
 export interface ColumnsFinding {
@@ -30,7 +31,7 @@ export function turnedName(name: string): { name: string; sign: number } {
 export function columnsOf(
   sources: readonly Source[],
   { hits }: Candidate,
-  quaternion: readonly number[] | null,
+  attitude: Attitude | null,
   timed: ReadonlySet<number>,
   given: Given,
 ): ColumnsFinding | string {
@@ -47,13 +48,13 @@ export function columnsOf(
   for (const source of sources) {
     const { index } = source;
     const title = shortened(source.title) || source.name;
-    const part = quaternion ? quaternion.indexOf(index) : -1;
+    const part = attitude ? attitude.columns.indexOf(index) : -1;
     const hit = hits[index];
     const plain: ColumnPlan = { ...blank(source), title };
     if (timed.has(index)) finding.columns.push({ ...plain, name: 't', kind: 'time', role: 'time' });
     else if (part >= 0) {
       const turn = given.up === 'y' ? turnedName('xyzw'[part]!) : { name: 'xyzw'[part]!, sign: 1 };
-      finding.columns.push({ ...plain, name: `q${turn.name}`, factor: turn.sign, kind: 'plain', role: 'quaternion' });
+      finding.columns.push({ ...plain, ...attitudePart(source, turn, attitude!, given), role: 'attitude' });
     } else if (!hit || best.get(hit.word.name) !== index) {
       finding.columns.push(plain);
       if (hit && source.title !== '')
@@ -73,7 +74,7 @@ export function columnsOf(
         finding.columns.push(plain);
         continue;
       }
-      const sign = given.up === 'y' ? turnedName(source.name).sign : 1;
+      const sign = given.up === 'y' ? turnedName(source.plain).sign : 1;
       if (factor !== 1) converted.push(title);
       if (hit.rank >= 2 || hit.rank < 0) renamed.push(`${source.name} → ${word.name}`);
       finding.columns.push({
@@ -91,6 +92,25 @@ export function columnsOf(
   if (converted.length > 0) finding.notes.push(`converted to SI and radians: ${listed(converted)}`);
   if (ignored.length > 0) finding.notes.push(`columns not used: ${listed(ignored)}`);
   return finding;
+}
+
+/** Of a quaternion a number, of Euler angles an angle, in degrees where nothing says otherwise. */
+function attitudePart(
+  source: Source,
+  turn: { name: string; sign: number },
+  { euler }: Attitude,
+  given: Given,
+): Pick<ColumnPlan, 'name' | 'unit' | 'unitFrom' | 'factor' | 'kind'> {
+  if (!euler) return { name: `q${turn.name}`, unit: '', unitFrom: 'none', factor: turn.sign, kind: 'plain' };
+  const { unit, from } = unitOf(source, source.unit, source.name, 'angle', given);
+  const known = unit === '' ? 'deg' : unit;
+  return {
+    name: `r${turn.name}`,
+    unit: known,
+    unitFrom: from,
+    factor: turn.sign * (factorOf(known, 'angle') ?? Math.PI / 180),
+    kind: 'angle',
+  };
 }
 
 /** Columns of data: all that hold a number, by their own names, in SI where their unit is known. */

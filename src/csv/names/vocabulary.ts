@@ -17,6 +17,8 @@ export interface Vocabulary {
   words: ReadonlyMap<string, Word>;
   /** Other names for its coordinates, which give way to their own. */
   aliases: ReadonlyMap<string, Word>;
+  /** How many coordinates there are. */
+  coordinates: number;
 }
 
 export interface Hit {
@@ -55,8 +57,33 @@ const HEADINGS = [
   'eulerz',
   'rotationz',
 ];
-const PITCHES = ['pitch', 'pitchangle', 'nick', 'nickwinkel', 'nicken', 'tangage', 'cabeceo', 'beccheggio', 'ry', 'roty', 'eulery'];
-const ROLLS = ['roll', 'rollangle', 'rollwinkel', 'rollen', 'roulis', 'alabeo', 'balanceo', 'rollio', 'rx', 'rotx', 'eulerx', 'bank'];
+const PITCHES = [
+  'pitch',
+  'pitchangle',
+  'nick',
+  'nickwinkel',
+  'nicken',
+  'tangage',
+  'cabeceo',
+  'beccheggio',
+  'ry',
+  'roty',
+  'eulery',
+];
+const ROLLS = [
+  'roll',
+  'rollangle',
+  'rollwinkel',
+  'rollen',
+  'roulis',
+  'alabeo',
+  'balanceo',
+  'rollio',
+  'rx',
+  'rotx',
+  'eulerx',
+  'bank',
+];
 const POSITIONS = [
   'pos',
   'position',
@@ -108,7 +135,7 @@ export function vocabularyOf(meta: SystemMeta): Vocabulary {
           add(`${position}${open}${'xyz'.indexOf(q.name.toLowerCase())}${close}`, q.name, 'length', true, aliases);
       if (position.length > 1) add(q.name + position, q.name, 'length', true, aliases);
     }
-  const made = { words, aliases };
+  const made = { words, aliases, coordinates: meta.coordinates.length };
   known.set(meta, made);
   return made;
 }
@@ -140,7 +167,10 @@ function named(name: string, unit: string, vocabulary: Vocabulary, rank: number)
   const whole = withoutSuffix(name);
   if (whole) return named(whole, unit, vocabulary, rank + 1);
   const last = rank < 10 ? withoutPrefix(name) : null;
-  return last ? named(last, unit, vocabulary, rank + 10) : null;
+  if (last) return named(last, unit, vocabulary, rank + 10);
+  // `x1`, `theta_2`: one of several bodies, in a system whose coordinates could not be mistaken for it.
+  const numbered = rank < 20 && vocabulary.coordinates > 1 ? /^(.*[a-zα-ω])_?\d{1,2}$/i.exec(name) : null;
+  return numbered ? named(numbered[1]!, unit, vocabulary, rank + 20) : null;
 }
 
 /** How many of some cells name columns: those of the system that knows most of them, and times. */

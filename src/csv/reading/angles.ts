@@ -67,6 +67,34 @@ export function anglesOf(
   return bad;
 }
 
+/**
+ * Unit quaternions of Euler angles, each turn about the axes turned by those before (intrinsic; the letters' rotation
+ * matrices multiplied from left to right): Diebel (2006), section 5.
+ * @param order of the axes, `XYZ`
+ * @param angles about each axis, rad
+ * @returns x, y, z and the scalar
+ */
+export function quaternionsOf(
+  order: string,
+  angles: Readonly<Record<'X' | 'Y' | 'Z', Float64Array>>,
+): [Float64Array, Float64Array, Float64Array, Float64Array] {
+  const n = angles.X.length;
+  const made = [0, 1, 2, 3].map(() => new Float64Array(n)) as [Float64Array, Float64Array, Float64Array, Float64Array];
+  for (let i = 0; i < n; i++) {
+    let [x, y, z, w] = [0, 0, 0, 1];
+    for (const axis of order) {
+      const half = angles[axis as 'X' | 'Y' | 'Z'][i]! / 2;
+      const [c, s] = [Math.cos(half), Math.sin(half)];
+      // Hamilton's product with the turn about one axis.
+      if (axis === 'X') [x, y, z, w] = [c * x + s * w, c * y + s * z, c * z - s * y, c * w - s * x];
+      else if (axis === 'Y') [x, y, z, w] = [c * x - s * z, c * y + s * w, c * z + s * x, c * w - s * y];
+      else [x, y, z, w] = [c * x + s * y, c * y - s * x, c * z + s * w, c * w - s * z];
+    }
+    [made[0][i], made[1][i], made[2][i], made[3][i]] = [x, y, z, w];
+  }
+  return made;
+}
+
 /** The same angle within half a turn of another. */
 function near(angle: number, other: number): number {
   return angle + 2 * Math.PI * Math.round((other - angle) / (2 * Math.PI));

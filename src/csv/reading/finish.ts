@@ -3,7 +3,7 @@ import { attitudeOf } from '../names/vocabulary.ts';
 import type { ImportChoices, ImportPlan, Question, TimeForm } from '../plan.ts';
 import { orderOf } from '../time/order.ts';
 import { doubtsOf } from '../units/doubts.ts';
-import { anglesOf, unwrap } from './angles.ts';
+import { anglesOf, quaternionsOf, unwrap } from './angles.ts';
 import { ratesOf } from './rates.ts';
 import type { RowStore } from './rows.ts';
 import type { CsvResult } from './result.ts';
@@ -28,7 +28,8 @@ export function finishMotion(
   const { runs } = inOrder(store, plan.time.form, choices, notes);
   let columns = store.uses.map((use) => use.name);
   let data = store.columns();
-  if (system && plan.columns.some((c) => c.role === 'quaternion')) [columns, data] = withAngles(columns, data, system);
+  if (system && plan.columns.some((c) => c.role === 'attitude'))
+    [columns, data] = withAngles(columns, data, system, plan.euler);
   // A computed angle is what it is; a recorded one may be within a turn.
   if (scenario === null) unwrapped(columns, data, plan, system, notes);
   if (system && plan.rates === 'savitzky-golay') [columns, data] = withRates(columns, data, system, notes);
@@ -42,8 +43,8 @@ export function finishMotion(
     skippedRows: store.skipped,
     issues: store.sortedIssues(),
     notes,
-    questions: questionsOf(plan, columns, data, scenario !== null, runs),
-    plan,
+    questions: questionsOf(plan, columns, data, scenario !== null, runs, choices.run),
+    plan: { ...plan, runs: runs.length, run: runs.length > 1 ? Math.min(choices.run ?? 1, runs.length) : null },
     scenario,
   };
 }
@@ -63,13 +64,23 @@ function inOrder(store: RowStore, form: TimeForm, choices: ImportChoices, notes:
   return order;
 }
 
-/** Puts the system's angles in place of a quaternion's four columns. */
-function withAngles(names: string[], data: Float64Array[], system: SystemMeta): [string[], Float64Array[]] {
+/** Puts the system's angles in place of a quaternion's four columns, or of three angles in another order. */
+function withAngles(
+  names: string[],
+  data: Float64Array[],
+  system: SystemMeta,
+  euler: string | null,
+): [string[], Float64Array[]] {
   const attitude = attitudeOf(system)!;
   const part = (name: string): Float64Array => data[names.indexOf(name)]!;
   const made = [0, 1, 2].map(() => new Float64Array(data[0]!.length)) as [Float64Array, Float64Array, Float64Array];
-  anglesOf([part('qx'), part('qy'), part('qz'), part('qw')], ...made);
-  const columns = new Map(names.flatMap((name, i) => (/^q[xyzw]$/.test(name) ? [] : [[name, data[i]!] as const])));
+  const quaternions = euler
+    ? quaternionsOf(euler, { X: part('rx'), Y: part('ry'), Z: part('rz') })
+    : ([part('qx'), part('qy'), part('qz'), part('qw')] as const);
+  anglesOf(quaternions, ...made);
+  const columns = new Map(
+    names.flatMap((name, i) => (/^(?:q[xyzw]|r[xyz])$/.test(name) ? [] : [[name, data[i]!] as const])),
+  );
   for (const [i, name] of [attitude.yaw, attitude.pitch, attitude.roll].entries())
     if (name !== null && !columns.has(name)) columns.set(name, made[i]!);
   const canon = ['t', ...system.coordinates.map((q) => q.name)];
@@ -120,6 +131,7 @@ function questionsOf(
   data: readonly Float64Array[],
   known: boolean,
   runs: readonly number[],
+  run: number | undefined,
 ): Question[] {
   const questions = plan.questions.filter(
     (q) => q.id !== 'degrees' && q.id !== 'lengths' && !(known && q.id === 'time-unit'),
@@ -130,7 +142,7 @@ function questionsOf(
       .map((c) => ({ name: c.name!, kind: c.kind as 'length' | 'angle', data: data[columns.indexOf(c.name!)]! }));
     questions.push(...doubtsOf(unsaid, data[0]!));
   }
-  if (runs.length > 1)
+  if (runs.length > 1 && run === undefined)
     questions.push({
       id: 'several-runs',
       text: `The file holds ${runs.length} runs: which one?`,

@@ -69,7 +69,14 @@ export class CsvReader {
   /** How a line of plain numbers looks from here on, or null where lines take the long way. */
   plan(): { separator: number; width: number } | null {
     const { store, understood } = this;
-    if (!store || !understood || understood.decimal === ',' || understood.separator === 'blanks' || this.pivot)
+    if (
+      !store ||
+      !understood ||
+      understood.decimal === ',' ||
+      understood.separator === 'blanks' ||
+      this.pivot ||
+      understood.only
+    )
       return null;
     const { form } = understood.time;
     if (form !== 'number' && form !== 'counted') return null;
@@ -156,7 +163,9 @@ export class CsvReader {
   private records(rows: string): void {
     const { store, understood } = this;
     if (!store || !understood) return;
+    const { only } = understood;
     eachRecord(rows, understood.separator, this.line, (cells, line) => {
+      if (only && (cells[only.column] ?? '').trim() !== only.value) return;
       if (this.ended || line < understood.firstRow || (cells.length <= 1 && (cells[0] ?? '').trim() === '')) return;
       if (this.pivot) this.pivot.push(cells, line);
       else store.row(cells, line);
@@ -216,7 +225,7 @@ export class CsvReader {
         name: c.name!,
         factor: c.factor,
         title: c.title || c.source,
-        needed: c.role === 'coordinate' || c.role === 'rate' || c.role === 'quaternion',
+        needed: c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude',
       }));
     const canon = this.options.systems[plan.system ?? '']?.coordinates.map((q) => q.name) ?? [];
     const order = [...canon, ...canon.map((name) => `${name}_dot`)];

@@ -16,7 +16,8 @@ const FUNCTION = /(?:^|[.\s/:])(?:der|d|diff|ddt|dot)\s*$/i;
 /** `x(t)`, `x[t]`, `x'[t]`: of time, which is no unit. */
 const OF_TIME = /\s*(?:\(t\)|\[t\])$/;
 /** `yawDeg`, `xMm`: the unit is the last word of a name in camel case. */
-const LAST_WORD = /^(.*[a-z0-9XYZ])(Deg|Degrees|Rad|Radians|Mm|Cm|Meters|Metres|Ms|Millis|Us|Micros|Ns|Nanos|Sec|Seconds)$/;
+const LAST_WORD =
+  /^(.*[a-z0-9XYZ])(Deg|Degrees|Rad|Radians|Mm|Cm|Meters|Metres|Ms|Millis|Us|Micros|Ns|Nanos|Sec|Seconds)$/;
 
 /** Splits `alpha [deg]` and `time (s)` into name and unit: what stands in brackets is the unit, understood or not. */
 export function splitTitle(title: string): Title {

@@ -58,7 +58,7 @@ export function unitsFor({ kind, unit, role }: ColumnPlan): Target[] {
 
 /** Coordinates of the system that no column gives. */
 export function missingOf({ columns, system }: ImportPlan, meta: SystemMeta | null): string[] {
-  if (system === null || !meta || columns.some(({ role }) => role === 'quaternion')) return [];
+  if (system === null || !meta || columns.some(({ role }) => role === 'attitude')) return [];
   const given = new Set(columns.map(({ name }) => name));
   return meta.coordinates.map(({ name }) => name).filter((name) => !given.has(name));
 }

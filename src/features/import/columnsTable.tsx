@@ -39,7 +39,7 @@ function Row({ column, meta }: { column: ColumnPlan; meta: SystemMeta | null }) 
     <tr class={role === 'unused' ? 'unused' : undefined} data-testid={`import-column-${column.index}`}>
       <th scope="row">{source}</th>
       <td>
-        {role === 'quaternion' ? (
+        {role === 'attitude' ? (
           words.quaternion
         ) : (
           <Select

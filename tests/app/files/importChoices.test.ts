@@ -20,6 +20,8 @@ const whole: Required<ImportChoices> = {
   timeUnit: 'ms',
   dateOrder: 'month first',
   step: 0.01,
+  body: 'cart',
+  scalar: 'first',
   run: 2,
   up: 'y',
   rates: 'savitzky-golay',

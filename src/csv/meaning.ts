@@ -55,7 +55,10 @@ export function meaningOf(work: Work): Meaning | string {
   if (typeof timing === 'string') return timing;
   if (!layout.titles && layout.headerLines.length === 0) {
     const bare = headerless(work, sources);
-    if (bare) return typeof bare === 'string' ? bare : { ...bare, timing: bare.timing ?? timing };
+    if (bare)
+      return typeof bare === 'string'
+        ? bare
+        : { ...bare, timing: bare.timing ?? withoutTime(layout, sources, choices) };
   }
   const own = meaningWith(work, sources, timing, null);
   if (typeof own !== 'string' && own.system !== null) {
@@ -73,6 +76,11 @@ export function meaningOf(work: Work): Meaning | string {
   if (typeof pivoted === 'string') return own;
   pivoted.notes.unshift(`one value a row: the names in "${sources[long.name]!.name}" became columns`);
   return pivoted;
+}
+
+/** The board's ten columns hold no time. */
+function withoutTime(layout: Layout, sources: readonly Source[], choices: ImportChoices): TimeFinding {
+  return timeOf(layout, sources, { ...choices, time: null }) as TimeFinding;
 }
 
 /** Where each of several bodies has a time of its own: that of the one that is read. */

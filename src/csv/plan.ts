@@ -85,7 +85,8 @@ export interface ColumnPlan {
   role: 'time' | 'coordinate' | 'rate' | 'other' | 'attitude' | 'data' | 'unused';
 }
 
-export type TimeForm = 'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'frame' | 'counted';
+export type TimeForm =
+  'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'compact clock' | 'frame' | 'counted';
 
 export interface TimePlan {
   /** Columns it is read from: none, one, or a date and a clock. */
@@ -101,6 +102,8 @@ export interface TimePlan {
 
 export interface ImportPlan {
   encoding: Encoding;
+  /** `labelled`: every value has its name beside it; `stamped`: a clock and an arrow stand before each row. */
+  lineForm: 'plain' | 'labelled' | 'stamped';
   separator: Separator;
   decimal: '.' | ',';
   /** 1-based lines of the header, several where groups stand above names; empty without one. */
@@ -129,6 +132,8 @@ export interface ImportPlan {
   body: string | null;
   /** Rows are read that have this in this column, where several bodies stand one below another. */
   only: { column: number; value: string } | null;
+  /** Columns have their values at different times: each is interpolated between its own. */
+  sparse: boolean;
   /** Order of the turns where the attitude is Euler angles, each about the axes turned before; null where it is not. */
   euler: string | null;
   up: 'y' | 'z';

@@ -17,7 +17,7 @@ export interface Source {
 }
 
 /** Words and numbers above columns that tell no two of them apart. */
-const EMPTY_GROUP = /^(?:rigid ?body|bone|marker|rigid body marker|type|name|id|[0-9a-f]{16,})$/i;
+const EMPTY_GROUP = /^(?:rigid ?body|bone|marker|rigid body marker|type|name|id|\d+|[0-9a-f]{16,})$/i;
 
 export function sourcesOf(layout: Layout): Source[] {
   const taken = new Set<string>();

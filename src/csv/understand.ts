@@ -1,5 +1,7 @@
 import { sniff } from './containers/sniff.ts';
 import { encodingOf } from './encoding/encoding.ts';
+import { formOf } from './layout/cells.ts';
+import { isMissing } from './layout/errors.ts';
 import { layoutOf, type Layout } from './layout/layout.ts';
 import { valueOf } from './layout/preamble.ts';
 import { meaningOf, type UnderstandOptions } from './meaning.ts';
@@ -11,6 +13,8 @@ import { doubtsOf } from './units/doubts.ts';
 export type { UnderstandOptions } from './meaning.ts';
 
 const MOST_PREVIEW = 20;
+/** Share of whole rows below which columns are taken to have times of their own. */
+const SPARSE = 0.2;
 /** Bytes by which a file is understood. */
 export const ENOUGH_TO_DECIDE = 65536;
 
@@ -46,6 +50,7 @@ export function understandText(text: string, encoding: Encoding, options: Unders
     );
   const plan: ImportPlan = {
     encoding,
+    lineForm: layout.lineForm,
     separator: layout.separator,
     decimal: layout.decimal,
     headerLines: layout.headerLines,
@@ -63,6 +68,7 @@ export function understandText(text: string, encoding: Encoding, options: Unders
     bodies,
     body,
     only,
+    sparse: !long && isSparse(finding.columns, layout),
     euler,
     up,
     rates: choices.rates ?? 'none',
@@ -84,6 +90,8 @@ export function understandText(text: string, encoding: Encoding, options: Unders
 function layoutNotes(layout: Layout): string[] {
   const notes: string[] = [];
   const marks = { ';': 'semicolons', '\t': 'tabs', '|': 'upright bars', blanks: 'blanks' } as Record<string, string>;
+  if (layout.lineForm === 'labelled') notes.push('every value has its name beside it');
+  if (layout.lineForm === 'stamped') notes.push('a clock and an arrow stand before each row');
   if (layout.separator !== ',') notes.push(`separated by ${marks[layout.separator] ?? `"${layout.separator}"`}`);
   if (layout.decimal === ',') notes.push('decimal commas');
   if (layout.unitsLine !== null) notes.push(`units are in line ${layout.unitsLine}`);
@@ -91,6 +99,23 @@ function layoutNotes(layout: Layout): string[] {
   if (first !== undefined && first > 1 && layout.properties.length > 0)
     notes.push(`the header is in line ${layout.headerLines.join(', ')}`);
   return notes;
+}
+
+/** Hardly a row is whole, though every coordinate has values: sensors wrote at times of their own. */
+function isSparse(columns: ImportPlan['columns'], { rows, decimal }: Layout): boolean {
+  const needed = columns.filter((c) => c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude');
+  const there = (row: readonly string[], index: number): boolean =>
+    formOf(row[index] ?? '', decimal === ',') === 'number';
+  const whole = rows.filter((row) => needed.every((c) => there(row, c.index))).length;
+  return (
+    needed.length > 1 &&
+    rows.length > 3 &&
+    whole < SPARSE * rows.length &&
+    needed.every(({ index }) => {
+      const filled = rows.filter((row) => !isMissing(row[index] ?? ''));
+      return filled.length >= 3 && filled.every((row) => there(row, index));
+    })
+  );
 }
 
 /** What the first rows leave open. */

@@ -140,7 +140,9 @@ describe('one motion, many spellings', () => {
     expect(columnOf(result, 't')).toEqual([0.5, 1.5]);
     expect(columnOf(result, 'theta_bc')).toEqual([15, 2]);
     const mixed = motion(`${['t', ...names].join(';')}\n${'0.5;'.repeat(10)}1.5\n${'1;'.repeat(10)}2,5\n`);
-    expect(mixed.issues).toMatchObject([{ line: 3, column: 'theta_bc', message: '"2,5" is not a number' }]);
+    expect(mixed.issues).toMatchObject([
+      { line: 3, column: 'theta_bc', message: '"2,5" has a comma where the file has decimal points' },
+    ]);
   });
 });
 

@@ -2,25 +2,12 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
-import { CsvByteReader } from '../../src/csv/reading/byteReader.ts';
-import type { CsvOptions, CsvResult } from '../../src/csv/csv.ts';
-import { metas } from '../helpers.ts';
+import type { CsvOptions } from '../../src/csv/csv.ts';
+import { motionOf, readBytes } from './circle.ts';
 
 /** A double holds seconds since 1970 to a quarter of a microsecond. */
 const CLOCK = 1e-6;
 const FILES = join(import.meta.dirname, 'files');
-
-export function readBytes(bytes: Uint8Array, options: Partial<CsvOptions> = {}): CsvResult {
-  const reader = new CsvByteReader({ systems: metas, data: true, unasked: true, ...options }, bytes.length);
-  reader.push(bytes);
-  return reader.finish();
-}
-
-export function motionOf(file: string | Uint8Array, options: Partial<CsvOptions> = {}) {
-  const result = readBytes(typeof file === 'string' ? new TextEncoder().encode(file) : file, options);
-  if (result.kind !== 'motion') throw new Error(JSON.stringify(result));
-  return result;
-}
 
 const file = (name: string, options: Partial<CsvOptions> = {}) => motionOf(readFileSync(join(FILES, name)), options);
 

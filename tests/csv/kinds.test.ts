@@ -7,19 +7,8 @@ import { EpochClock } from '../../src/csv/time/epoch.ts';
 import { anglesOf } from '../../src/csv/reading/angles.ts';
 import { ratesOf } from '../../src/csv/reading/rates.ts';
 import { metas } from '../helpers.ts';
-import { motionOf, readBytes } from './files.test.ts';
+import { base, comma, deg, expectCircle, f, motionOf, N, readBytes, states, table } from './circle.ts';
 
-const N = 101;
-const f = (x: number): string => x.toFixed(6);
-const deg = (x: number): string => f((x * 180) / Math.PI);
-const states = Array.from(
-  { length: N },
-  (_, i) => [i / 50, Math.sin(i / 62.5), 1 - Math.cos(i / 62.5), i / 62.5] as const,
-);
-const base = states.map((row) => row.map(f));
-const comma = (text: string): string => text.replaceAll('.', ',');
-const table = (head: string, rows: readonly (readonly string[])[], by = ','): string =>
-  `${head}${rows.map((row) => row.join(by)).join('\n')}\n`;
 const scaled = states.map(([t, x, y, a]) => [f(t), f(1000 * x), f(1000 * y), deg(a)]);
 const at = (clock: (t: number) => string): string[][] => states.map(([t], i) => [clock(t), ...base[i]!.slice(1)]);
 const seconds = (t: number): string => t.toFixed(3).padStart(6, '0');
@@ -154,15 +143,6 @@ const KINDS: Record<string, string> = {
     ';',
   ),
 };
-
-function expectCircle(motion: ReturnType<typeof motionOf>): void {
-  expect(motion).toMatchObject({ systemId: 'chaplygin-sleigh', rows: N, skippedRows: 0 });
-  for (const [i, state] of states.entries())
-    for (const [k, name] of ['t', 'x', 'y', 'theta'].entries()) {
-      const read = motion.data[motion.columns.indexOf(name)]![i]!;
-      expect(Math.abs(read - state[k]!), `${name} of row ${i}: ${read}`).toBeLessThan(5e-6);
-    }
-}
 
 describe('the same motion', () => {
   test.each(Object.entries(KINDS))('%s', (_, text) => expectCircle(motionOf(text)));

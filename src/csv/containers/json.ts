@@ -31,18 +31,39 @@ function recordsOf(text: string): unknown[] | null {
   } catch {
     return linesOf(text);
   }
-  if (Array.isArray(value)) return value.every((row) => isRecord(row) || Array.isArray(row)) ? value : null;
+  if (Array.isArray(value)) {
+    if (value.every(Array.isArray)) return namedRows(value);
+    return value.every((row) => isRecord(row) || Array.isArray(row)) ? value : null;
+  }
   if (!isRecord(value)) return null;
   const { columns, data } = value as { columns?: unknown; data?: unknown };
   if (Array.isArray(columns) && Array.isArray(data))
     return data.map((row) => Object.fromEntries(columns.map((name, i) => [String(name), (row as unknown[])?.[i]])));
   const arrays = Object.entries(value).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
   const [first] = arrays;
-  if (!first) return null;
+  if (!first) return byIndex(value);
   if (arrays.length === 1 && first[1].every(isRecord)) return first[1];
   const length = first[1].length;
   if (arrays.some(([, values]) => values.length !== length)) return null;
   return Array.from({ length }, (_, i) => Object.fromEntries(arrays.map(([name, values]) => [name, values[i]])));
+}
+
+/** Arrays whose first one holds the names. */
+function namedRows(rows: readonly unknown[][]): unknown[] {
+  const [names, ...others] = rows;
+  if (!names || names.length === 0 || !names.every((name) => typeof name === 'string')) return [...rows];
+  return others.map((row) => Object.fromEntries(names.map((name, i) => [name, row[i]])));
+}
+
+/** Columns as records by row (pandas, "columns"), or rows as records by name (pandas, "index"). */
+function byIndex(value: Json): unknown[] | null {
+  const entries = Object.entries(value);
+  if (entries.length === 0 || !entries.every(([, inner]) => isRecord(inner))) return null;
+  const keys = Object.keys(entries[0]![1] as Json);
+  const counted = (names: readonly string[]): boolean => names.length > 1 && names.every((name) => /^\d+$/.test(name));
+  if (counted(entries.map(([name]) => name))) return entries.map(([, row]) => row);
+  if (!counted(keys)) return null;
+  return keys.map((key) => Object.fromEntries(entries.map(([name, inner]) => [name, (inner as Json)[key]])));
 }
 
 /** JSON lines; a last line that is cut off is left out. */

@@ -2,12 +2,14 @@ import type { ImportChoices, Separator } from '../plan.ts';
 import { isUnit } from '../units/units.ts';
 import { blankTitles, cellsOf, formOf } from './cells.ts';
 import { isMissing } from './errors.ts';
+import { labelledCells, labelsOf, lineFormOf, unstamped, withoutStamp, type LineForm } from './logLines.ts';
 import { isComment, recordLength, COMMENT } from './records.ts';
 import { propertiesOf, type Property } from './preamble.ts';
 import { hasThousands, marksOf } from './separator.ts';
 
 /** Where the table of a file begins, and what stands above it. */
 export interface Layout {
+  lineForm: LineForm;
   separator: Separator;
   decimal: '.' | ',';
   headerLines: number[];
@@ -52,18 +54,22 @@ export function layoutOf(
   if (told) all[0]!.text = '';
   const plain = all.filter((line) => !line.comment && line.text.trim() !== '');
   if (plain.length === 0) return null;
+  const lineForm = lineFormOf(plain.map((line) => line.text));
+  if (lineForm === 'labelled') return labelled(plain);
   const marks = marksOf(
-    plain.map((line) => line.text),
+    plain.map((line) => (lineForm === 'stamped' ? withoutStamp(line.text) : line.text)),
     { ...(told ? { separator: told[1] as Separator } : {}), ...choices },
   );
   const { separator, decimal } = marks;
-  const lines: Line[] = plain.map((line) => ({ ...line, cells: cellsOf(line.text, separator) }));
+  const textOf = ({ text }: { text: string }): string => (lineForm === 'stamped' ? unstamped(text, separator) : text);
+  const lines: Line[] = plain.map((line) => ({ ...line, cells: cellsOf(textOf(line), separator) }));
   const first = firstRowOf(lines, decimal === ',');
   const header = headerOf(lines, first, choices, names);
   const commented =
     header < 0 && choices.headerLine === undefined ? commentedHeader(all, lines, first, separator, names) : null;
   const body = header >= 0 ? header + 1 : Math.max(first, 0);
   const titles = header >= 0 ? titlesOf(lines[header]!, lines[first], separator) : (commented?.cells ?? null);
+  if (titles && lineForm === 'stamped') titles[0] = '';
   let next = body;
   const headerLines = header >= 0 ? [lines[header]!.number] : commented ? [commented.number] : [];
   let units: string[] | null = null;
@@ -84,6 +90,7 @@ export function layoutOf(
   const used = new Set([...headerLines, unitsLine]);
   return {
     ...marks,
+    lineForm,
     headerLines: headerLines.sort((a, b) => a - b),
     unitsLine,
     firstRow: lines[next]?.number ?? (lines.at(-1)?.number ?? 0) + 1,
@@ -98,6 +105,26 @@ export function layoutOf(
         .map((line) => ({ text: line.text, cells: line.comment ? [] : cellsOf(line.text, separator) })),
     ),
     rows,
+  };
+}
+
+/** Every value has its name beside it: no header, no separator. */
+function labelled(plain: readonly { number: number; text: string }[]): Layout {
+  const labels = labelsOf(plain.map((line) => line.text));
+  return {
+    lineForm: 'labelled',
+    separator: ',',
+    decimal: '.',
+    headerLines: [],
+    unitsLine: null,
+    firstRow: plain[0]!.number,
+    width: labels.length,
+    titles: labels,
+    groups: [],
+    units: null,
+    comments: [],
+    properties: [],
+    rows: plain.slice(0, MOST_ROWS).map((line) => labelledCells(line.text, labels)),
   };
 }
 

@@ -46,6 +46,7 @@ export function fitSystem(
   if (fitting && (!larger || fitting.id === preferred)) return { candidate: fitting, reason: '' };
   const nearest = larger ?? [...candidates].sort((a, b) => share(a) - share(b))[0];
   if (!nearest) return { candidate: null, reason: 'there is no system to read it for' };
+  if (present(nearest) === 0) return { candidate: null, reason: 'the names are those of no system' };
   return {
     candidate: null,
     reason: `the header names the coordinates of no system; nearest is ${nearest.meta.title}, where ${nearest.missing.join(', ')} ${nearest.missing.length === 1 ? 'is' : 'are'} missing`,

@@ -5,11 +5,19 @@ import { orderOf } from '../time/order.ts';
 import { doubtsOf } from '../units/doubts.ts';
 import { anglesOf, quaternionsOf, unwrap } from './angles.ts';
 import { ratesOf } from './rates.ts';
+import { filled } from './sparse.ts';
 import type { RowStore } from './rows.ts';
 import type { CsvResult } from './result.ts';
 
 /** Times that are counted from the first row. */
-const EPOCHAL: ReadonlySet<TimeForm> = new Set(['epoch', 'date-time', 'date and clock', 'clock', 'frame'] as const);
+const EPOCHAL: ReadonlySet<TimeForm> = new Set([
+  'epoch',
+  'date-time',
+  'date and clock',
+  'compact clock',
+  'clock',
+  'frame',
+] as const);
 
 export interface Finishing {
   choices: ImportChoices;
@@ -26,6 +34,7 @@ export function finishMotion(
   { choices, scenario, notes, system }: Finishing,
 ): CsvResult {
   const { runs } = inOrder(store, plan.time.form, choices, notes);
+  if (plan.sparse) betweenOwnValues(store, plan, notes);
   let columns = store.uses.map((use) => use.name);
   let data = store.columns();
   if (system && plan.columns.some((c) => c.role === 'attitude'))
@@ -62,6 +71,29 @@ function inOrder(store: RowStore, form: TimeForm, choices: ImportChoices, notes:
   const first = t[0]!;
   if (EPOCHAL.has(form) && first !== 0) for (let i = 0; i < t.length; i++) t[i]! -= first;
   return order;
+}
+
+/** Each column between its own values; rows that then still lack one are left out. */
+function betweenOwnValues(store: RowStore, plan: ImportPlan, notes: string[]): void {
+  const needed = new Map(
+    plan.columns
+      .filter((c) => c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude')
+      .map((c) => [c.name, c.kind] as const),
+  );
+  const data = store.columns();
+  const used = data.filter((column, i) => {
+    const kind = needed.get(store.uses[i]!.name);
+    if (kind === 'angle') unwrap(column);
+    if (kind !== undefined) filled(data[0]!, column);
+    return kind !== undefined;
+  });
+  const rows = Int32Array.from({ length: store.rows }, (_, i) => i).filter((i) => used.every((x) => x[i] === x[i]));
+  const out = store.rows - rows.length;
+  notes.push(
+    `columns have values at different times: each is interpolated between its own${out > 0 ? `; ${out} rows without a value on both sides are left out` : ''}`,
+  );
+  store.skipped += out;
+  if (out > 0) store.reorder(rows);
 }
 
 /** Puts the system's angles in place of a quaternion's four columns, or of three angles in another order. */

@@ -153,7 +153,11 @@ export class RowStore {
     return this.skip(
       line,
       String(this.width + 1),
-      `the row has ${cells.length} cells where there are ${this.width} columns`,
+      `the row has ${cells.length} cells where there are ${this.width} columns${
+        cells.length === 2 * this.width
+          ? '; decimal commas between commas? write the file with semicolons, or with points'
+          : ''
+      }`,
     );
   }
 
@@ -204,6 +208,7 @@ function reasonFor(cell: string | undefined, count: number, width: number, decim
   if (isSpreadsheetError(text)) return `${shown} is a spreadsheet's error: the cell has no value`;
   if (/^[+-]?(inf(inity)?|∞)$/i.test(text) || Math.abs(+text) === Infinity) return `${shown} is not a finite number`;
   if (hasThousands(text)) return `${shown} has thousands separators; write the number without them`;
+  if (!decimalComma && /^[+-]?\d+,\d+$/.test(text)) return `${shown} has a comma where the file has decimal points`;
   if (decimalComma && text.includes('.')) return `${shown} has a point where the file has decimal commas`;
   return `${shown} is not a number`;
 }

@@ -1,4 +1,5 @@
 import { eachRecord, LineSource, LONGEST_LINE, withoutComments } from '../layout/lines.ts';
+import { labelledCells, unstamped } from '../layout/logLines.ts';
 import { Pivot } from '../layout/long.ts';
 import type { Encoding, ImportChoices, ImportPlan } from '../plan.ts';
 import { OFFERED_STEP } from '../time/timePlan.ts';
@@ -10,6 +11,15 @@ import { MOST_NUMBERS, RowStore, type ColumnUse } from './rows.ts';
 
 const LONGEST_SCENARIO = 200_000;
 const UNREADABLE = 'the scenario in the comments is not readable and was left aside';
+
+/** Nothing, or a control character at a file's end (Ctrl-Z, zeros). */
+function isBlank(cell: string): boolean {
+  for (let i = 0; i < cell.length; i++) {
+    const code = cell.charCodeAt(i);
+    if (code > 32 && code !== 0xa0 && code !== 0xfeff) return false;
+  }
+  return true;
+}
 
 /**
  * Reads CSV text, given in pieces, into columns: it is understood from its beginning, then read row by row without
@@ -75,7 +85,8 @@ export class CsvReader {
       understood.decimal === ',' ||
       understood.separator === 'blanks' ||
       this.pivot ||
-      understood.only
+      understood.only ||
+      understood.lineForm !== 'plain'
     )
       return null;
     const { form } = understood.time;
@@ -137,7 +148,14 @@ export class CsvReader {
   private block(last: boolean): void {
     const text = this.undecided;
     if (text === '') return;
-    if (!this.understood && text.slice(0, 4096).includes('\0'))
+    // A logger without power leaves zeros at the end: those are no text, and no sign of another kind of file.
+    if (
+      !this.understood &&
+      text
+        .slice(0, 4096)
+        .replace(/\n\0[\0\s]*$/, '')
+        .includes('\0')
+    )
       return this.refuse(0, '', 'this is no text file (or not UTF-8 text); save it as CSV, UTF-8');
     if (!this.understood) {
       const end = last ? text.length : text.indexOf('\n', ENOUGH_TO_DECIDE - 1) + 1;
@@ -164,13 +182,18 @@ export class CsvReader {
     const { store, understood } = this;
     if (!store || !understood) return;
     const { only } = understood;
-    eachRecord(rows, understood.separator, this.line, (cells, line) => {
+    const { lineForm, separator } = understood;
+    const sink = (cells: string[], line: number): void => {
       if (only && (cells[only.column] ?? '').trim() !== only.value) return;
-      if (this.ended || line < understood.firstRow || (cells.length <= 1 && (cells[0] ?? '').trim() === '')) return;
+      if (this.ended || line < understood.firstRow || (cells.length <= 1 && isBlank(cells[0] ?? ''))) return;
       if (this.pivot) this.pivot.push(cells, line);
       else store.row(cells, line);
       if (store.full) this.tooMany();
-    });
+    };
+    if (lineForm === 'labelled') {
+      const labels = understood.columns.map((c) => c.title);
+      for (const [i, line] of rows.split('\n').entries()) sink(labelledCells(line, labels), this.line + i);
+    } else eachRecord(lineForm === 'stamped' ? unstamped(rows, separator) : rows, separator, this.line, sink);
   }
 
   private comments(text: string): void {
@@ -225,7 +248,7 @@ export class CsvReader {
         name: c.name!,
         factor: c.factor,
         title: c.title || c.source,
-        needed: c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude',
+        needed: !plan.sparse && (c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude'),
       }));
     const canon = this.options.systems[plan.system ?? '']?.coordinates.map((q) => q.name) ?? [];
     const order = [...canon, ...canon.map((name) => `${name}_dot`)];

@@ -24,10 +24,29 @@ export function timeReaderOf(time: TimePlan, choices: ImportChoices, comma: bool
         return (frame - base) * time.factor;
       };
     }
+    case 'compact clock': {
+      let [base, last, days]: [number | null, number, number] = [null, -Infinity, 0];
+      return (cells) => {
+        const x = readNumber(cells[first] ?? '', comma);
+        const clock = 3600 * Math.floor(x / 10000) + 60 * (Math.floor(x / 100) % 100) + (x % 100);
+        base ??= Number.isNaN(clock) ? null : clock;
+        let since = clock - (base ?? 0) + 86400 * days;
+        if (since < last - HALF_DAY) {
+          days++;
+          since += 86400;
+        }
+        if (since === since) last = since;
+        return Math.round(since * 1e6) / 1e6;
+      };
+    }
     case 'epoch': {
       const clock = new EpochClock();
+      // Seconds in one column, the digits behind the point in the next: 17 and 5 are 17.000000005.
+      const digits = time.unit === 'us' ? 6 : 9;
       return (cells) => {
-        const text = cells[first] ?? '';
+        const part = second < 0 ? '' : (cells[second] ?? '').trim().padStart(digits, '0');
+        if (second >= 0 && part.length > digits) return NaN;
+        const text = `${(cells[first] ?? '').trim()}${part}`;
         const since = clock.since(comma ? text.replace(',', '.') : text);
         return since * time.factor;
       };

@@ -2,7 +2,7 @@ import { plainName } from '../names/plainName.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
 const TIMES = new Set(
-  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
     ' ',
   ),
 );
@@ -26,6 +26,13 @@ export function timeRank(name: string): number | null {
 export const isDateName = (name: string): boolean => DATES.has(plainName(name));
 export const isFrameName = (name: string): boolean => FRAMES.has(plainName(name));
 export const isIndexName = (name: string): boolean => INDICES.has(plainName(name));
+
+/** `nsecs` beside `secs`, `stamp.nanosec` beside `stamp.sec`. */
+export function isRestOfSecond(seconds: string, rest: string): boolean {
+  const whole = /^(.*?)(?:tv_)?(?:s|secs?|seconds)$/i.exec(seconds);
+  const part = /^(.*?)(?:tv_)?(?:nsecs?|nanosecs?|nanoseconds|usecs?|microsecs?|microseconds)$/i.exec(rest);
+  return whole !== null && part !== null && whole[1] === part[1];
+}
 
 /** `timestamp_ms`, `time_ns`, `millis`: the unit that a time's own name holds. */
 export function unitInTimeName(name: string): string {

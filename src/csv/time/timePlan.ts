@@ -8,7 +8,7 @@ import { unitBehind } from '../units/titles.ts';
 import { readNumber } from '../reading/numbers.ts';
 import { clockSeconds, dateDays, isAmbiguousDate, moment } from './clock.ts';
 import { epochUnit } from './epoch.ts';
-import { isDateName, isFrameName, timeRank, unitInTimeName } from './timeNames.ts';
+import { isDateName, isFrameName, isIndexName, isRestOfSecond, timeRank, unitInTimeName } from './timeNames.ts';
 import { typicalStep } from './order.ts';
 
 export interface TimeFinding {
@@ -64,7 +64,7 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
         .slice(0, 12)
         .join(', ')}`;
     const columns = found.map((source) => column(source!));
-    if (columns.length === 2) return dated(columns[0]!, columns[1]!);
+    if (columns.length === 2) return dated(columns[0]!, columns[1]!, choices);
     if (isFrameName(columns[0]!.source.name) && choices.step) return counted(layout, choices, columns[0]!.source);
     return single(columns[0]!, choices, comma);
   }
@@ -73,19 +73,49 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
     named.find((c) => isDateName(c.source.name) && c.dates > 0.5) ??
     named.find((c) => c.dates > 0.8 && c.numbers < 0.5);
   const clock = date && named.filter((c) => c !== date && c.clocks > 0.5).sort((a, b) => a.rank - b.rank)[0];
-  if (date && clock) return dated(date, clock);
+  if (date && clock) return dated(date, clock, choices);
   const usable = named
     .filter((c) => c.rank < 9 && c.numbers + c.moments > 0.5)
     .sort((a, b) => a.rank - b.rank || a.source.index - b.source.index);
   const dates = named.find((c) => isDateName(c.source.name) && c.moments > 0.5);
-  if (usable[0]) return single(usable[0], choices, comma);
+  if (usable[0]) {
+    const rest = sources.find((s) => isRestOfSecond(usable[0]!.source.plain, s.plain));
+    return rest ? parted(usable[0].source, rest) : single(usable[0], choices, comma);
+  }
   if (dates) return single(dates, choices, comma);
+  const count = named.find((c) => isDateName(c.source.name) && c.numbers > 0.5 && countsDays(c.cells, comma));
+  if (count) return single(count, choices, comma);
   const others = sources.map(column).find((c) => c.moments > 0.8 && (c.clocks > 0.8 || c.dates < 0.5));
   if (others) return single(others, choices, comma);
   // Named a time, but without a number that shows it: the rows will say why.
   const empty = named.find((c) => c.rank <= 1);
-  if (empty) return single(empty, choices, comma);
+  if (empty && (empty.cells.length > 0 || stepOf(layout.properties) === null)) return single(empty, choices, comma);
+  const rising = choices.step === undefined ? unnamedTime(layout, sources, comma) : null;
+  if (rising) {
+    const found = single(column(rising), choices, comma);
+    if (typeof found !== 'string')
+      found.notes.push(
+        `${rising.title === '' ? 'the first column has no name and' : `"${rising.title}"`} rises evenly: it is taken for the time`,
+      );
+    return found;
+  }
   return counted(layout, choices, sources.find((s) => isFrameName(s.name) && column(s).numbers > 0.5) ?? null);
+}
+
+/** A first column without a name that rises evenly, though not by whole rows: numpy's and pandas' times. */
+function unnamedTime({ rows, titles }: Layout, [first, second]: readonly Source[], comma: boolean): Source | null {
+  if (!first || !second || (titles && !isIndexName(first.plain) && first.title !== '')) return null;
+  const t = rows.map((row) => readNumber(row[first.index] ?? '', comma)).filter((x) => x === x);
+  if (t.length < 3 || t.length < 0.9 * rows.length) return null;
+  const step = typicalStep(t);
+  const uneven = t.some((x, i) => i > 0 && !(x > t[i - 1]! && Math.abs(x - t[i - 1]! - step) < 0.5 * step));
+  return uneven || step === 1 ? null : first;
+}
+
+/** Seconds and what is behind their point, in two columns (ROS). */
+function parted(seconds: Source, rest: Source): TimeFinding {
+  const unit = /^(?:n|na)/i.test(rest.plain.split(/[./_]/).at(-1)!) ? 'ns' : 'us';
+  return finding([seconds.index, rest.index], 'epoch', unit, factorOf(unit, 'time')!, []);
 }
 
 /** The surer, the lower; 9 where nothing tells of time. */
@@ -102,15 +132,15 @@ function rankOf(source: Source): number {
   return measured !== '' && /^\s*(?:n|µ|u|m)?s(?:ec(?:onds?)?)?\s*$/i.test(measured) ? 5 : 9;
 }
 
-function dated(date: Column, clock: Column): TimeFinding {
-  return finding([date.source.index, clock.source.index], 'date and clock', '', 1, dateQuestions(date.cells));
+function dated(date: Column, clock: Column, choices: ImportChoices): TimeFinding {
+  return finding([date.source.index, clock.source.index], 'date and clock', '', 1, dateQuestions(date.cells, choices));
 }
 
 function single(column: Column, choices: ImportChoices, comma: boolean): TimeFinding | string {
   const { source, cells } = column;
   const { index } = source;
   if (column.moments > column.numbers)
-    return finding([index], column.clocks > 0.5 ? 'clock' : 'date-time', '', 1, dateQuestions(cells));
+    return finding([index], column.clocks > 0.5 ? 'clock' : 'date-time', '', 1, dateQuestions(cells, choices));
   const behind = unitBehind(source.name);
   const unit =
     choices.units?.['t'] ??
@@ -131,8 +161,34 @@ function single(column: Column, choices: ImportChoices, comma: boolean): TimeFin
     if (unit === '') taken.notes.push(`times are ${since} since 1970, as their size says; the first is 0`);
     return taken;
   }
+  if (unit === '' && isDayCount(middle, typicalStep(values), isDateName(source.name))) {
+    const days = finding([index], 'epoch', 'd', 86400, []);
+    days.notes.push('times are days of a calendar, as their size says; the first is 0');
+    return days;
+  }
+  if (unit === '' && isCompactClock(values, /utc|gps|gmt|hhmmss|nmea/i.test(source.title)))
+    return finding([index], 'compact clock', '', 1, []);
   const questions = unit === '' && typicalStep(values) > 1 ? [unitQuestion(source, typicalStep(values))] : [];
   return finding([index], 'number', unit, factor, questions);
+}
+
+function countsDays(cells: readonly string[], comma: boolean): boolean {
+  const values = cells.map((cell) => readNumber(cell, comma)).filter((x) => x === x);
+  return values.length > 1 && values.every((x) => isDayCount(x, 0, true)) && typicalStep(values) < 1;
+}
+
+/** A spreadsheet's or MATLAB's count of days: no clock in seconds starts so high and steps so finely. */
+function isDayCount(value: number, step: number, named: boolean): boolean {
+  const calendar = (value > 20000 && value < 80000) || (value > 700000 && value < 800000);
+  return calendar && (named || (step > 0 && step < 2e-5));
+}
+
+/** `103059.5`: ten thirty and 59.5 seconds, as receivers of satellites write. Seen by a minute that begins at 60. */
+function isCompactClock(values: readonly number[], named: boolean): boolean {
+  const within = (x: number): boolean => x >= 0 && x < 240000 && x % 100 < 60 && Math.floor(x / 100) % 100 < 60;
+  const turns = values.filter((x, i) => i > 0 && x > values[i - 1]! && x % 100 < values[i - 1]! % 100).length;
+  const clock = values.length > 1 && values.every(within);
+  return clock && (named ? values.some((x) => x >= 10000) : turns > 0 && values[0]! >= 10000);
 }
 
 function counted(layout: Layout, choices: ImportChoices, frames: Source | null): TimeFinding {
@@ -190,7 +246,8 @@ function unitQuestion(source: Source, step: number): Question {
   };
 }
 
-function dateQuestions(cells: readonly string[]): Question[] {
+function dateQuestions(cells: readonly string[], { dateOrder }: ImportChoices): Question[] {
+  if (dateOrder) return [];
   const different = new Set(cells.map((cell) => cell.split(/[T\s]/)[0]));
   if (different.size < 2 || !cells.every(isAmbiguousDate)) return [];
   return [
@@ -198,7 +255,7 @@ function dateQuestions(cells: readonly string[]): Question[] {
       id: 'date-order',
       text: `Is ${[...different][0]!} day/month or month/day?`,
       answers: [
-        { label: 'day/month', choices: {} },
+        { label: 'day/month', choices: { dateOrder: 'day first' } },
         { label: 'month/day', choices: { dateOrder: 'month first' } },
       ],
       safest: 0,

@@ -44,6 +44,7 @@ const degrees: Question = {
 
 const plan: ImportPlan = {
   encoding: 'utf-8',
+  lineForm: 'plain',
   separator: ';',
   decimal: ',',
   headerLines: [3],
@@ -66,6 +67,7 @@ const plan: ImportPlan = {
   bodies: [],
   body: null,
   only: null,
+  sparse: false,
   euler: null,
   up: 'z',
   rates: 'none',

@@ -1,0 +1,49 @@
+/** Lines of a board's serial log, which are no rows of a table yet: `x:0.1 y:0.2`, `10:30:25.123 -> 0.1,0.2`. */
+import type { Separator } from '../plan.ts';
+
+export type LineForm = 'plain' | 'labelled' | 'stamped';
+
+const PAIR = /([A-Za-z_\u0370-\u03ff][\w.[\]/\u0370-\u03ff]*)\s*[:=]\s*([^\s,;|]+)/g;
+const NUMBER = /^[+-]?(?:\d|\.\d)/;
+const STAMP = /^(\d{1,2}:\d{2}:\d{2}(?:[.,]\d+)?)\s*->\s?/gm;
+/** Lines that decide, and the share of them that must have the form. */
+const DECIDING = 60;
+const MOST = 0.8;
+
+/** The names and values of one line, or null where it has anything else. */
+function pairsOf(line: string): [name: string, value: string][] | null {
+  if (line.length > 4000 || line.replace(PAIR, '').replace(/[\s,;|]+/g, '') !== '') return null;
+  return [...line.matchAll(PAIR)].map((match) => [match[1]!, match[2]!]);
+}
+
+export function lineFormOf(lines: readonly string[]): LineForm {
+  const deciding = lines.slice(0, DECIDING);
+  const share = (is: (line: string) => boolean): number => deciding.filter(is).length / (deciding.length || 1);
+  if (share((line) => line.search(STAMP) === 0) > MOST) return 'stamped';
+  const labelled = (line: string): boolean => {
+    const pairs = pairsOf(line);
+    return pairs !== null && pairs.length >= 2 && pairs.every(([, value]) => NUMBER.test(value));
+  };
+  return lines.length > 1 && share(labelled) > MOST ? 'labelled' : 'plain';
+}
+
+/** Names of a labelled file, from its first lines: a value may be missing in one. */
+export function labelsOf(lines: readonly string[]): string[] {
+  return [...new Set(lines.slice(0, DECIDING).flatMap((line) => (pairsOf(line) ?? []).map(([name]) => name)))];
+}
+
+/** Cells in the order of the labels; a line of another form is one cell. */
+export function labelledCells(line: string, labels: readonly string[]): string[] {
+  const pairs = line.trim() === '' ? null : pairsOf(line);
+  if (!pairs) return [line.trim()];
+  const values = new Map(pairs);
+  return labels.map((label) => values.get(label) ?? '');
+}
+
+/** The stamp of each line becomes a cell of its own. */
+export function unstamped(text: string, separator: Separator): string {
+  return text.replace(STAMP, `$1${separator === 'blanks' ? ' ' : separator}`);
+}
+
+/** Without their stamps. */
+export const withoutStamp = (line: string): string => line.replace(STAMP, '');

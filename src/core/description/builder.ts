@@ -235,7 +235,16 @@ export class Builder implements Scope {
     const id = /^\w+$/.test(name) ? name : `point${this.model.tracks.length + 1}`;
     const body = this.model.bodies.length;
     this.addBody(
-      { id, label: label ?? id, position, frame: this.world, mass: null, inertia: null, line: r.line },
+      {
+        id,
+        label: label ?? id,
+        position,
+        origin: position,
+        frame: this.world,
+        mass: null,
+        inertia: null,
+        line: r.line,
+      },
       'neutral',
     );
     this.model.tracks.push({ body, label: label ?? id });

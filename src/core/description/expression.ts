@@ -148,7 +148,7 @@ export class Reader {
     try {
       refuseAmbiguous(
         tokens,
-        (name) => isFunctionName(name) || this.scope.look(name)?.kind === 'frame',
+        (name) => this.calls(name),
         written,
         (at) => at,
       );
@@ -301,7 +301,7 @@ export class Reader {
         : this.fail('this number is too large', token);
     }
     if (token.kind === 'name')
-      return this.next?.kind === 'sign' && this.next.text === '(' && this.callable(token)
+      return this.next?.kind === 'sign' && this.next.text === '(' && this.calls(token.text)
         ? this.call(token)
         : this.named(token);
     if (token.text === '(' && token.kind === 'sign') {
@@ -328,12 +328,10 @@ export class Reader {
     return parts;
   }
 
-  private callable(token: LineToken): boolean {
-    return (
-      isFunctionName(token.text) ||
-      this.scope.look(token.text)?.kind === 'frame' ||
-      (!constants.has(token.text) && this.scope.look(token.text) === undefined)
-    );
+  /** Whether a bracket behind a name holds what it is called with, and not a factor. */
+  private calls(name: string): boolean {
+    const value = this.scope.look(name);
+    return value ? value.kind === 'frame' : !constants.has(name);
   }
 
   private named(token: LineToken): Value {

@@ -24,7 +24,10 @@ export interface SetModel {
 export interface BodyModel {
   id: string;
   label: string;
+  /** Its centre of mass. */
   position: Vector;
+  /** Where it is drawn from. */
+  origin: Vector;
   frame: Frame;
   mass: Id | null;
   inertia: readonly Id[] | null;

@@ -19,7 +19,7 @@ export function viewOf(model: Model, id: string, text: string): SystemView {
 }
 
 function posesOf({ bodies }: Model): Id[] {
-  return bodies.flatMap(({ position, frame }) => [...position, ...frame.R]);
+  return bodies.flatMap(({ origin, frame }) => [...origin, ...frame.R]);
 }
 
 function metaOf(model: Model, id: string): SystemMeta {

@@ -2,9 +2,10 @@
  * The statements of a description, one a line: each is read by one function below and changes the model at once, so that a name
  * has to be defined above the line that uses it. docs/own-systems.md teaches the language.
  */
+import { several, unary } from '../scenario/expressions/functions.ts';
 import { constants } from '../scenario/expressions/plainText.ts';
 import { checkUnit, isAngleUnit } from './units.ts';
-import { cross, dot, isFunctionName, turned, type Frame, type Reader, type Vector } from './expression.ts';
+import { dot, turned, type Frame, type Reader, type Vector } from './expression.ts';
 import type { Id } from './graph.ts';
 import type { Builder } from './builder.ts';
 import type { ShapeKind } from './model.ts';
@@ -27,7 +28,7 @@ function newName(r: Reader, b: Builder, what: string): LineToken {
   if (!NAME.test(token.text)) r.fail(`"${token.text}" is no name: letters, digits and _`, token);
   if (token.text.length > 40) r.fail('a name has at most 40 characters', token);
   if (token.text.endsWith('_dot')) r.fail(`"${token.text}" is the rate of ${token.text.slice(0, -4)}`, token);
-  if (RESERVED.has(token.text) || isFunctionName(token.text) || token.text in {})
+  if (RESERVED.has(token.text) || unary.has(token.text) || several.has(token.text) || token.text in {})
     r.fail(`"${token.text}" is taken by the language`, token);
   const known = b.model.names.get(token.text);
   if (known) r.fail(`"${token.text}" is already the ${known.kind} of line ${known.line}`, token);
@@ -61,7 +62,7 @@ function axis(r: Reader): 'x' | 'y' | 'z' {
 
 const COORDINATE_WORDS = ['rest', 'first', 'second'];
 const PARAMETER_WORDS = ['positive', 'from', 'to', 'group', 'note'];
-const BODY_WORDS = ['mass', 'inertia', 'at', 'in', 'first', 'second'];
+const BODY_WORDS = ['mass', 'inertia', 'at', 'in', 'origin', 'first', 'second'];
 const SHAPES: readonly ShapeKind[] = ['box', 'cylinder', 'sphere', 'disc', 'rod', 'path', 'model'];
 
 export const statements: Readonly<Record<string, Statement>> = {
@@ -160,6 +161,7 @@ export const statements: Readonly<Record<string, Statement>> = {
       let mass: Id | null = null;
       let inertia: Id[] | null = null;
       let position: Vector | null = null;
+      let origin: Vector | null = null;
       let frame: Frame = b.world;
       let role: 'neutral' | 'first' | 'second' = 'neutral';
       let text = label(r);
@@ -169,12 +171,25 @@ export const statements: Readonly<Record<string, Statement>> = {
         if (word === 'mass') mass = r.scalar(...BODY_WORDS);
         if (word === 'inertia') inertia = inertias(r);
         if (word === 'at') position = r.vector(...BODY_WORDS);
+        if (word === 'origin') origin = r.vector(...BODY_WORDS);
         if (word === 'in') frame = r.frame();
         if (word === 'first' || word === 'second') role = word;
         text ??= label(r);
       });
       const at = position ?? r.fail('where it is, is missing: at P, its centre of mass', name);
-      b.addBody({ id: name.text, label: text ?? name.text, position: at, frame, mass, inertia, line: r.line }, role);
+      b.addBody(
+        {
+          id: name.text,
+          label: text ?? name.text,
+          position: at,
+          origin: origin ?? at,
+          frame,
+          mass,
+          inertia,
+          line: r.line,
+        },
+        role,
+      );
     },
   },
   kinetic: {
@@ -442,5 +457,3 @@ export function readRate(r: Reader, b: Builder): void {
   r.expect('=', "y' = -15*y");
   b.addRate(r, token, at, r.scalar());
 }
-
-export { cross };

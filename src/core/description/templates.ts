@@ -1,0 +1,19 @@
+/** Descriptions that a person can begin with: every built-in system, and others. Texts are loaded one at a time. */
+export interface Template {
+  id: string;
+  title: string;
+  load(): Promise<{ default: string }>;
+}
+
+export const templates: readonly Template[] = [
+  { id: 'ripstik', title: 'RipStik (caster board)', load: () => import('./templates/ripstik.ts') },
+  { id: 'ripstik-rider', title: 'RipStik with a rider', load: () => import('./templates/ripstik-rider.ts') },
+  { id: 'caster-rotation', title: 'Caster rotation', load: () => import('./templates/caster-rotation.ts') },
+  { id: 'cart-pendulum', title: 'Cart and pendulum', load: () => import('./templates/cart-pendulum.ts') },
+  { id: 'rolling-wheel', title: 'Rolling wheel', load: () => import('./templates/rolling-wheel.ts') },
+  { id: 'stiff-decay', title: 'Stiff decay (y′ = −15 y)', load: () => import('./templates/stiff-decay.ts') },
+  { id: 'wheel-pendulum', title: 'Wheel and pendulum', load: () => import('./templates/wheel-pendulum.ts') },
+  { id: 'casterboard-robot', title: 'Casterboard robot', load: () => import('./templates/casterboard-robot.ts') },
+  { id: 'bicycle', title: 'Bicycle (Whipple)', load: () => import('./templates/bicycle.ts') },
+  { id: 'chaplygin-sleigh', title: 'Chaplygin sleigh', load: () => import('./templates/chaplygin-sleigh.ts') },
+];

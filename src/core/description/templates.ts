@@ -16,4 +16,13 @@ export const templates: readonly Template[] = [
   { id: 'casterboard-robot', title: 'Casterboard robot', load: () => import('./templates/casterboard-robot.ts') },
   { id: 'bicycle', title: 'Bicycle (Whipple)', load: () => import('./templates/bicycle.ts') },
   { id: 'chaplygin-sleigh', title: 'Chaplygin sleigh', load: () => import('./templates/chaplygin-sleigh.ts') },
+  { id: 'torus-disc', title: 'Rolling torus disc', load: () => import('./templates/torus-disc.ts') },
+  { id: 'snakeboard', title: 'Snakeboard', load: () => import('./templates/snakeboard.ts') },
+  { id: 'twistcar', title: 'Twistcar', load: () => import('./templates/twistcar.ts') },
+  {
+    id: 'double-pendulum-cart',
+    title: 'Double pendulum on a cart',
+    load: () => import('./templates/double-pendulum-cart.ts'),
+  },
+  { id: 'rattleback', title: 'Rattleback', load: () => import('./templates/rattleback.ts') },
 ];

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import '../../../src/core/simulation/everyMotion.ts';
 import { deriveSystem, readSystem } from '../../../src/core/description/index.ts';
 import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import { Simulation } from '../../../src/core/simulation/simulation.ts';

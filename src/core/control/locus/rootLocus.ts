@@ -213,6 +213,8 @@ function finish(family: Family, a: Sample, b: Sample): { value: number; eigenval
   let [low, high] = [a.value - margin, b.value + margin];
   const [atLow, atHigh] = [modeAt(low), modeAt(high)];
   let value = 0.5 * (a.value + b.value);
+  const met = guide[1] === 0 ? throughZero(family, low, high, neutral) : null;
+  if (met !== null) return { value: met, eigenvalue: [0, 0] };
   if (!atLow || !atHigh || atLow[0] * atHigh[0] >= 0) return { value, eigenvalue: [0, Math.abs(guide[1])] };
   let frequency = guide[1];
   for (let k = 0; k < MOST_BISECTIONS; k++) {
@@ -225,6 +227,49 @@ function finish(family: Family, a: Sample, b: Sample): { value: number; eigenval
     else high = value;
   }
   return { value, eigenvalue: [0, Math.abs(frequency)] };
+}
+
+/**
+ * Where two real modes of opposite sign meet in zero and go on as an undamped oscillation, a disc that becomes fast enough to
+ * stand: their squares cross zero straight, while the modes themselves do so as a root. Null where that is not what happens.
+ */
+function throughZero(family: Family, from: number, to: number, neutral: number): number | null {
+  /** The square of the slowest mode that is not neutral on both sides. */
+  const squareAt = (value: number): number | null => {
+    const A = family(value);
+    if (!A) return null;
+    const spectrum = eigenvalues(A);
+    const moving = spectrum.filter((x) => !isZero(x));
+    if (spectrum.length - moving.length > neutral) return 0;
+    const [re, im] = moving.reduce((best, x) => (Math.hypot(...x) < Math.hypot(...best) ? x : best));
+    return re * im === 0 ? re * re - im * im : null;
+  };
+  let [low, high] = [from, to];
+  const [atLow, atHigh] = [squareAt(low), squareAt(high)];
+  if (atLow === null || atHigh === null || !(atLow * atHigh < 0)) return null;
+  for (let k = 0; k < MOST_BISECTIONS; k++) {
+    const value = 0.5 * (low + high);
+    if (!(value > low && value < high)) break;
+    const here = squareAt(value);
+    if (here === null) return null;
+    if (here === 0) return centreOf((x) => squareAt(x) === 0, value, low, high);
+    if (here > 0 === atLow > 0) low = value;
+    else high = value;
+  }
+  return 0.5 * (low + high);
+}
+
+/** The middle of where something holds around a value, between two at which it does not. */
+function centreOf(holds: (value: number) => boolean, value: number, low: number, high: number): number {
+  const edge = (inside: number, outside: number): number => {
+    for (let k = 0; k < MOST_BISECTIONS / 2; k++) {
+      const middle = 0.5 * (inside + outside);
+      if (holds(middle)) inside = middle;
+      else outside = middle;
+    }
+    return inside;
+  };
+  return 0.5 * (edge(value, low) + edge(value, high));
 }
 
 function isZero([re, im]: Complex): boolean {

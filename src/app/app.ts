@@ -11,6 +11,7 @@ import type { FileActions, FileState, OpenedFile } from './files/fileState.ts';
 import type { SampleInfo } from './files/samples.ts';
 import type { PushActions, PushState } from './push/pushState.ts';
 import type { Comparison, Contender } from './runs/comparison.ts';
+import type { LiveState } from './runs/live.ts';
 import type { Motion } from './runs/motion.ts';
 import type { ModePreview, ModeRequest } from './runs/modePreview.ts';
 import type { PinnedRun, PinnedRuns } from './runs/pinnedRuns.ts';
@@ -20,6 +21,8 @@ import type { TrustState } from './runs/trust.ts';
 import type { CaseInfo } from './state/cases.ts';
 import type { DialogActions, DialogState } from './state/dialogs.ts';
 import type { DraftAndOrigin, DraftEdit, ExperimentActions, ExperimentState } from './state/experiment.ts';
+import type { FieldActions, FieldState } from './state/fields.ts';
+import type { HistoryActions, HistoryState } from './state/history.ts';
 import type { MessageActions, MessageState } from './state/messages.ts';
 import type { PlaybackActions, PlaybackState } from './state/playback.ts';
 import type { SettingsActions, SettingsState } from './state/settings.ts';
@@ -33,7 +36,10 @@ export type { Answer } from '../compute/client/answer.ts';
 export interface AppState
   extends
     ExperimentState,
+    HistoryState,
+    FieldState,
     StageState,
+    LiveState,
     TrustState,
     PlaybackState,
     PushState,
@@ -51,9 +57,8 @@ export interface AppState
 export interface RunActions {
   /** The first run after the page is opened: plays by itself unless the person asks for less motion. */
   start(): void;
+  /** Runs the draft; where a field has something wrong, goes there instead. */
   run(): void;
-  /** The motion being watched goes on from the playback time with the draft's controller and inputs. */
-  retune(): void;
   cancel(): void;
   /** Runs the draft, or another scenario, with each of these methods. @throws ScenarioError when it can't run itself */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
@@ -104,6 +109,8 @@ export interface AppActions
     RunActions,
     DraftActions,
     ExperimentActions,
+    HistoryActions,
+    FieldActions,
     OpenAndSaveActions,
     PlaybackActions,
     PushActions,

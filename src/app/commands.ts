@@ -17,6 +17,8 @@ export interface Key {
   /** Control, or Command on a Mac. */
   control?: true;
   place?: KeyPlace;
+  /** A text field that is no part of the experiment keeps the key for itself. */
+  textual?: true;
   /** Without it, the key is not on the sheet. */
   line?: KeyLine;
 }
@@ -84,7 +86,7 @@ export function commandFor(
   // A field steps by tenths with Alt; elsewhere such keys are the browser's.
   if (altKey && place !== 'field') return undefined;
   // Shift is there to reach some signs: only where a key asks for it does it mean more.
-  return (shiftKey ? found(true) : undefined) ?? found(false);
+  return (shiftKey ? found(true) : undefined) ?? (shiftKey && control ? undefined : found(false));
 }
 
 /** The sheet: keys, and what they do, in the order of the list. */

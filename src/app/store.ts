@@ -10,6 +10,7 @@ import { createFileState } from './files/fileState.ts';
 import { samples } from './files/samples.ts';
 import { createPush } from './push/pushState.ts';
 import type { Comparison } from './runs/comparison.ts';
+import { LiveRuns } from './runs/live.ts';
 import { ModePreviewer } from './runs/modePreview.ts';
 import { PinnedRuns } from './runs/pinnedRuns.ts';
 import { Runs } from './runs/runs.ts';
@@ -20,6 +21,8 @@ import { settleView } from './runs/views.ts';
 import { builtInCases, firstCaseOf, ownCase, type CaseInfo } from './state/cases.ts';
 import { createDialogs } from './state/dialogs.ts';
 import { createExperiment } from './state/experiment.ts';
+import { createFields } from './state/fields.ts';
+import { createHistory } from './state/history.ts';
 import { createMessages } from './state/messages.ts';
 import { createPlayback } from './state/playback.ts';
 import { createSettings } from './state/settings.ts';
@@ -74,8 +77,32 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     views: systemViews,
     metas: systemMetas,
   });
+  const fields = createFields();
+  const live = new LiveRuns({
+    stage: stage.state,
+    playback,
+    settings: settings.state,
+    experiment: experiment.state,
+    runs,
+    replays: !preferences.reducedMotion,
+  });
+  const history = createHistory(experiment, (edit) => {
+    fields.actions.forgetRefused();
+    const motion = stage.state.motion.peek();
+    const another = edit.before.origin !== edit.after.origin || motion?.system.meta.id !== edit.after.draft.system;
+    // A file on the stage stays there.
+    if (another && motion?.source === 'run' && experiment.state.draftErrors.peek().size === 0) runs.run();
+    else live.follow(edit);
+  });
+  const edit: AppActions['edit'] = (label, change) => {
+    const before = { draft: experiment.state.draft.peek(), origin: experiment.state.origin.peek() };
+    experiment.actions.edit(label, change);
+    const after = { draft: experiment.state.draft.peek(), origin: before.origin };
+    if (after.draft !== before.draft) live.follow({ label, before, after });
+  };
   const openScenario = (origin: CaseInfo, draft: ScenarioFile, autoplay?: boolean): void => {
     experiment.actions.replace(origin.title, { origin, draft });
+    fields.actions.forgetRefused();
     runs.run(autoplay);
   };
   const files = new FileOpener({
@@ -98,7 +125,10 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
 
   const state: AppState = {
     ...experiment.state,
+    ...history.state,
+    ...fields.state,
     ...stage.state,
+    ...live.state,
     ...trust.state,
     ...playback.state,
     ...push.state,
@@ -111,7 +141,9 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     pinned: pinned.runs,
   };
   const { draft, origin, drafts, draftErrors } = state;
-  const { edit, replace, restore } = experiment.actions;
+  const { replace, restore } = experiment.actions;
+  const { undo, redo, goToEdit } = history.actions;
+  const { refuseField, goToField, forgetRefused } = fields.actions;
   const { play, pause, togglePlaying, seek, stepRows } = playback.actions;
 
   const actions: AppActions = {
@@ -121,6 +153,11 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     ...dialogs.actions,
     ...messages.actions,
     edit,
+    undo,
+    redo,
+    goToEdit,
+    refuseField,
+    goToField,
     play,
     pause,
     togglePlaying,
@@ -129,10 +166,16 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     setLoading: fileState.actions.setLoading,
     setMeshes: fileState.actions.setMeshes,
     start: () => runs.first(!preferences.reducedMotion),
-    run: () => runs.run(),
-    retune: () => runs.retune(),
+    run() {
+      const wrong = [...state.refusedFields.peek().keys(), ...draftErrors.peek().keys()][0];
+      if (wrong === undefined) runs.run();
+      else goToField(wrong);
+    },
     cancel: () => compute.run.cancel(),
-    resetDraft: () => edit('reset', () => origin.peek().scenario),
+    resetDraft() {
+      forgetRefused();
+      edit('reset', () => origin.peek().scenario);
+    },
     loadCase(id) {
       const found = builtInCases.find((c) => c.id === id);
       if (found) openScenario(found, found.scenario);
@@ -143,10 +186,15 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
       const meta = systemMetas[id];
       if (id === draft.peek().system || !meta) return;
       const first = firstCaseOf(meta);
+      forgetRefused();
       replace(meta.title, drafts.peek().get(id) ?? { origin: first, draft: first.scenario });
       if (draftErrors.peek().size === 0) runs.run();
     },
-    restoreDrafts: (current, all) => restore(current.origin.title, current, all),
+    restoreDrafts(current, all) {
+      forgetRefused();
+      restore(current.origin.title, current, all);
+      history.actions.forget();
+    },
     openFiles: (list) => void files.open(list),
     cancelReading: () => files.cancel(),
     openSample: (id) => void files.openSample(id, samples),

@@ -1,8 +1,8 @@
 /** What every part of the page shares, so that components need no long lists of props. */
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import { computed, signal } from '@preact/signals';
-import type { ReadonlySignal, Signal } from '@preact/signals';
+import { computed } from '@preact/signals';
+import type { ReadonlySignal } from '@preact/signals';
 import type { App } from '../app/app.ts';
 import type { CaseInfo } from '../app/state/cases.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
@@ -34,10 +34,6 @@ export interface Ui {
   commands: readonly Command[];
   /** The case the draft came from; fields are compared with it. */
   origin: ReadonlySignal<CaseInfo | null>;
-  /** Rises when the draft is replaced as a whole: fields then forget rejected text. */
-  epoch: Signal<number>;
-  /** Text that stands in a field but is not in force, by path. */
-  rejected: Signal<ReadonlyMap<string, string>>;
   system: ReadonlySignal<SystemView | undefined>;
 }
 
@@ -79,7 +75,6 @@ export function createUi(
   commands: readonly Command[],
   origin?: ReadonlySignal<CaseInfo | null>,
 ): Ui {
-  const epoch = signal(0);
   return {
     app,
     methods,
@@ -87,9 +82,7 @@ export function createUi(
     features,
     tools: features.flatMap(({ id, tool }) => (tool ? [{ id, ...tool }] : [])),
     commands,
-    epoch,
     origin: origin ?? lastMatchingCase(app),
-    rejected: signal<ReadonlyMap<string, string>>(new Map()),
     system: computed(() => app.systemOf(app.state.draft.value.system)),
   };
 }
@@ -108,20 +101,4 @@ function lastMatchingCase(app: App): ReadonlySignal<CaseInfo | null> {
 /** @param label what is changed, in the words of an undo menu */
 export function edit(ui: Ui, label: string, change: (draft: ScenarioFile) => ScenarioFile): void {
   ui.app.actions.edit(label, change);
-}
-
-/** Runs something that replaces the draft, and clears text that was refused. */
-export function replaceDraft(ui: Ui, action: () => void): void {
-  action();
-  ui.rejected.value = new Map();
-  ui.epoch.value++;
-}
-
-export function setRejected(ui: Ui, path: string, error: string | null): void {
-  const now = ui.rejected.peek();
-  if ((now.get(path) ?? null) === error) return;
-  const next = new Map(now);
-  if (error === null) next.delete(path);
-  else next.set(path, error);
-  ui.rejected.value = next;
 }

@@ -90,6 +90,10 @@ export const text = {
       retuned: 'controller changed',
     } as Record<string, string>,
   },
+  history: {
+    undo: (label?: string) => (label === undefined ? 'Undo' : `Undo: ${label}`),
+    redo: (label?: string) => (label === undefined ? 'Redo' : `Redo: ${label}`),
+  },
   hint: 'Press Run to compute this motion, or drop a CSV on the page.',
   noScene: 'The scene cannot be drawn',
   dataOnly: 'Data without a scene',
@@ -115,6 +119,8 @@ export const text = {
     follow: 'follow what moves',
     show: 'front caster in a corner, names, axes of bodies',
     run: 'run',
+    undo: 'undo the last change',
+    redo: 'redo it',
     keys: 'this sheet',
   },
 } as const;

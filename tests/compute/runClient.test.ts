@@ -108,7 +108,7 @@ test('a pushed run waits at its horizon, goes on with the next, and ends when re
   const client = new RunClient(starts());
   const run = heard();
   const scenario = scenarioOf({ ...SHORT, duration: 3 });
-  client.start(scenario, run.handlers, undefined, { push: null, horizon: 1 });
+  client.start(scenario, run.handlers, { live: { push: null, horizon: 1 } });
   await until(() => run.time() >= 0.99);
   await turn();
   await turn();
@@ -124,7 +124,7 @@ test('a pushed run waits at its horizon, goes on with the next, and ends when re
 test('a run that waits at its horizon is cancelled too', async () => {
   const client = new RunClient(starts());
   const run = heard();
-  client.start(endless(), run.handlers, undefined, { horizon: 0.5 });
+  client.start(endless(), run.handlers, { live: { horizon: 0.5 } });
   await until(() => run.time() >= 0.49);
   client.cancel();
   expect(await run.over).toBe('cancelled');

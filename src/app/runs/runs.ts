@@ -1,7 +1,8 @@
-import { batch } from '@preact/signals';
+import { batch, signal, type ReadonlySignal } from '@preact/signals';
 import type { RunClient } from '../../compute/client/runClient.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
+import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../../core/scenario/types.ts';
 import type { Push } from '../../core/simulation/push.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
@@ -12,6 +13,7 @@ import type { ExperimentState } from '../state/experiment.ts';
 import type { MessageActions } from '../state/messages.ts';
 import type { PlaybackSlice } from '../state/playback.ts';
 import type { SettingsState } from '../state/settings.ts';
+import { readonly } from '../state/signals.ts';
 import type { Motion } from './motion.ts';
 import { continuationOf, firstRows, marksOf, RETUNED, rowsOf, samePlant, type Onward } from './onward.ts';
 import type { StageContent, StageSlice } from './stageState.ts';
@@ -32,13 +34,30 @@ export interface RunsContext {
   settle(): void;
 }
 
+/** How a run comes to the stage. */
+interface Entry {
+  /** From another run; without it from the scenario's start. */
+  onward?: Onward;
+  /** In the place of the run before it, at its time. */
+  live?: boolean;
+  autoplay?: boolean;
+  soonest?: boolean;
+}
+
 /** Starts runs and turns what the worker sends into the motion being watched. */
 export class Runs {
   private nextMotion = 1;
   private readonly context: RunsContext;
-  /** A run that goes on from another has not sent its first rows yet; and the draft changed since. */
+  private readonly request = signal<ScenarioFile | null>(null);
+  /** The draft that was last run; null while the stage shows something else. */
+  readonly asked: ReadonlySignal<ScenarioFile | null> = readonly(this.request);
+  /** A run that follows the draft is not on the stage yet; and what is to follow then. */
   private going = false;
-  private stale = false;
+  private next: (() => void) | null = null;
+  /** The run under way, or the last one, was begun by a change of the draft. */
+  private followed = false;
+  /** Seconds of computing for a second of motion, of the last run. */
+  private pace = 0;
 
   constructor(context: RunsContext) {
     this.context = context;
@@ -53,7 +72,8 @@ export class Runs {
   show(motion: Omit<Motion, 'id'>): void {
     const { stage, playback, client, settle } = this.context;
     client.abandon();
-    this.going = this.stale = false;
+    this.settleFor(false);
+    this.request.value = null;
     batch(() => {
       playback.actions.jump(motion.trajectory.start);
       stage.actions.put({ motion: { ...motion, id: this.nextMotion++ }, run: null, statistics: null });
@@ -66,6 +86,8 @@ export class Runs {
   restore(content: StageContent, time: number): void {
     const { stage, playback, client, settle } = this.context;
     client.abandon();
+    this.settleFor(false);
+    this.request.value = content.motion?.source === 'run' ? content.motion.written : null;
     batch(() => {
       playback.actions.pause();
       stage.actions.put(content);
@@ -82,15 +104,54 @@ export class Runs {
   /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
   run(autoplay = true, soonest = false): void {
     const draft = this.context.experiment.draft.peek();
+    if (this.plays(draft, autoplay)) return;
     const scenario = this.checked(draft);
     if (!scenario) return;
-    this.going = this.stale = false;
-    this.start(scenario, draft, null, autoplay, soonest);
+    this.settleFor(false);
+    this.start(scenario, draft, { autoplay, soonest });
+  }
+
+  /** The draft as it was changed takes the place of its run at the time where that is played, as soon as it comes so far. */
+  live(): void {
+    const draft = this.context.experiment.draft.peek();
+    if (this.going) {
+      this.next = () => this.live();
+      return;
+    }
+    const scenario = this.checked(draft);
+    if (!scenario) return;
+    this.settleFor(true);
+    this.followed = true;
+    this.start(scenario, draft, { live: true });
+  }
+
+  /** How long a run of a draft may be expected to take, s. */
+  costOf({ duration = DEFAULTS.duration }: ScenarioFile): number {
+    return this.pace * duration;
+  }
+
+  /** A run that was begun by the last change is what Run asks for: it is played from its start, not computed again. */
+  private plays(draft: ScenarioFile, autoplay: boolean): boolean {
+    const { stage, playback } = this.context;
+    const run = stage.state.run.peek();
+    const whole = run?.kind === 'computing' || (run?.kind === 'ended' && !['cancelled', 'failed'].includes(run.reason));
+    if (!this.followed || this.next || this.request.peek() !== draft || !whole) return false;
+    this.followed = false;
+    playback.actions.jump(0);
+    playback.actions.setPlaying(autoplay);
+    return true;
+  }
+
+  /** @param going a run that follows the draft is begun */
+  private settleFor(going: boolean): void {
+    this.going = going;
+    this.next = null;
+    this.followed = false;
   }
 
   /**
    * The motion on the stage goes on from where it is played, with the draft's controller and inputs. What is not a run
-   * of the same plant, or has nothing left to come, is run from its start.
+   * of the same plant, or has nothing left to come, is computed from its start.
    */
   retune(): void {
     const { stage, experiment, playback } = this.context;
@@ -98,11 +159,12 @@ export class Runs {
     const scenario = this.checked(draft);
     if (!scenario) return;
     const before = stage.state.motion.peek();
-    if (!before?.scenario || before.source !== 'run' || !samePlant(before.scenario, scenario)) return this.run();
+    if (!before?.scenario || before.source !== 'run') return this.run();
     if (this.going) {
-      this.stale = true;
+      this.next = () => this.retune();
       return;
     }
+    if (!samePlant(before.scenario, scenario)) return this.live();
     const row = before.trajectory.locate(playback.state.time.peek());
     const time = before.trajectory.column('t')![row]!;
     if (
@@ -110,9 +172,9 @@ export class Runs {
       time >= scenario.duration - scenario.outputStep ||
       (stage.state.run.peek()?.kind === 'ended' && row >= before.trajectory.length - 2)
     )
-      return this.run();
-    this.going = true;
-    this.start(scenario, draft, { before, row, time, mark: RETUNED }, playback.state.playing.peek());
+      return this.live();
+    this.settleFor(true);
+    this.start(scenario, draft, { onward: { before, row, time, mark: RETUNED } });
   }
 
   /** The run on the stage goes on from where it is played with a push on it, and plays. */
@@ -131,8 +193,10 @@ export class Runs {
       return false;
     }
     const scenario = { ...before.scenario, duration: Math.max(before.scenario.duration, time + LEFT_S) };
-    this.going = this.stale = false;
-    this.start(scenario, before.written ?? experiment.draft.peek(), { before, row, time, mark: PUSHED, push }, true);
+    this.settleFor(false);
+    this.start(scenario, before.written ?? experiment.draft.peek(), {
+      onward: { before, row, time, mark: PUSHED, push },
+    });
     playback.actions.setPlaying(true);
     return true;
   }
@@ -147,14 +211,9 @@ export class Runs {
     }
   }
 
-  private start(
-    scenario: Scenario,
-    draft: ScenarioFile,
-    onward: Onward | null,
-    autoplay: boolean,
-    soonest = false,
-  ): void {
-    const { stage, experiment, pushing, client, messages } = this.context;
+  private start(scenario: Scenario, draft: ScenarioFile, entry: Entry): void {
+    const { onward = null, soonest = false } = entry;
+    const { stage, experiment, playback, pushing, client, messages } = this.context;
     const origin = experiment.origin.peek();
     const push = onward?.push ?? pushing.push.peek();
     const title = onward?.push
@@ -165,6 +224,11 @@ export class Runs {
     const pushes = onward ? pushesUpTo(onward.before, onward.time) : [];
     let motion: Motion | null = null;
     const run = stage.state.run.peek();
+    this.request.value = draft;
+    let adopted = false;
+    const take = (over: boolean): void => {
+      adopted ||= this.adopt(motion!, entry, over);
+    };
     // From now on what the page says of a run is said of this one.
     stage.actions.setRun({ kind: 'computing', progress: 0 });
     client.start(
@@ -192,16 +256,19 @@ export class Runs {
           };
           if (notes.length > 0) messages.report('info', 'About the start', notes);
         },
-        rows: (columns, rows, time, counts) => {
+        rows: (columns, rows, time, counts, seconds) => {
           motion!.trajectory.append(columns, rows);
+          if (time > 0 && !onward) this.pace = seconds / time;
           batch(() => {
-            this.adopt(motion!, autoplay, onward !== null);
-            stage.actions.grew();
-            stage.actions.setStatistics(counts);
+            take(false);
+            if (adopted) {
+              stage.actions.grew();
+              stage.actions.setStatistics(counts);
+            }
             if (stage.state.run.peek()?.kind === 'computing')
               stage.actions.setRun({ kind: 'computing', progress: time / scenario.duration });
           });
-          this.wentOn();
+          if (adopted) this.wentOn();
         },
         pushed: (record) => {
           const marks = withMark(motion!.marks, pushes, record);
@@ -212,10 +279,13 @@ export class Runs {
           motion = marked;
         },
         ended: (end, counts) => {
+          batch(() => take(true));
           stage.actions.setStatistics(counts);
           stage.actions.setRun({ kind: 'ended', reason: end.reason, message: end.message, time: end.time });
           if (end.reason !== 'end' && end.reason !== 'cancelled')
             stage.actions.setMotion({ ...motion!, marks: [...motion!.marks, { time: end.time, name: end.reason }] });
+          if (end.reason === 'cancelled') this.next = null;
+          this.wentOn();
         },
         refused: (path, message) => {
           messages.report('error', 'The run could not go on', [
@@ -223,32 +293,50 @@ export class Runs {
           ]);
           if (stage.state.motion.peek() === motion && motion)
             stage.actions.setRun({ kind: 'ended', reason: 'failed', message, time: motion.trajectory.end });
-          else stage.actions.setRun(run?.kind === 'ended' ? run : null);
+          else {
+            stage.actions.setRun(run?.kind === 'ended' ? run : null);
+            this.request.value = stage.state.motion.peek()?.written ?? null;
+          }
           this.wentOn();
         },
       },
-      onward ? continuationOf(onward, scenario) : undefined,
-      push ? { push, horizon: this.horizon() } : undefined,
-      soonest,
+      {
+        from: onward ? continuationOf(onward, scenario) : undefined,
+        live: push ? { push, horizon: this.horizon() } : undefined,
+        until: entry.live ? playback.state.time.peek() : 0,
+        soonest,
+      },
     );
   }
 
-  /** The first answer of a run that goes on is there; what changed meanwhile is taken up now. */
+  /** A run that follows the draft is on the stage; what changed meanwhile is taken up now. */
   private wentOn(): void {
+    if (!this.going) return;
+    const { next } = this;
     this.going = false;
-    if (!this.stale) return;
-    this.stale = false;
-    this.retune();
+    this.next = null;
+    next?.();
   }
 
-  /** The new motion takes the stage with its first rows, never empty: there is no stale or blank frame between. */
-  private adopt(motion: Motion, autoplay: boolean, goesOn: boolean): void {
+  /**
+   * The new motion takes the stage, never empty: there is no stale or blank frame between. One that follows the draft
+   * waits until it comes as far as the one before is played.
+   *
+   * @param over no more rows come
+   * @returns whether it has the stage
+   */
+  private adopt(motion: Motion, { autoplay = true, onward, live = false }: Entry, over: boolean): boolean {
     const { stage, playback, settle } = this.context;
-    if (stage.state.motion.peek()?.id === motion.id) return;
-    if (!goesOn) playback.actions.jump(0);
+    if (stage.state.motion.peek()?.id === motion.id) return true;
+    const { end } = motion.trajectory;
+    const now = playback.state.time.peek();
+    if (motion.trajectory.length === 0 || (live && !over && end < now)) return false;
+    if (live) playback.actions.jump(Math.min(now, end));
+    else if (!onward) playback.actions.jump(0);
     stage.actions.setMotion(motion);
     settle();
-    if (!goesOn) playback.actions.setPlaying(autoplay);
+    if (!live && !onward) playback.actions.setPlaying(autoplay);
+    return true;
   }
 
   private horizon(): number {

@@ -76,6 +76,8 @@ export const SETTINGS = {
   /** From aboard, the horizon stays level. */
   levelHorizon: setting(true, flag, { stored: 'look.level', drawn: 'level' }),
   quality: setting<Quality>('auto', oneOf('auto', 'low', 'high'), { stored: 'look.quality' }),
+  /** The run on the stage follows every change of the draft, where a run is cheap. */
+  live: setting(true, flag, { stored: 'live', sparse: true }),
   /** How files of a shape are read, where the person chose. */
   imports: setting<RememberedChoices | null>(null, rememberedFrom, { stored: 'imports', sparse: true }),
   /** Metres of arrow per newton. */

@@ -1,9 +1,9 @@
 import type { StartAdjustment } from '../../core/mechanics/consistentStart.ts';
 import type { EngineId, Scenario } from '../../core/scenario/types.ts';
 import type { PushRecord } from '../../core/simulation/push.ts';
-import type { Continuation, RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
+import type { RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
 import { RemoteWorker, type OngoingCall, type WorkerLike } from '../remote/remoteWorker.ts';
-import type { Live, RunCalls, RunEvent, RunResult } from '../services/runTypes.ts';
+import type { Live, RunCalls, RunEvent, RunRequest, RunResult } from '../services/runTypes.ts';
 import { answerOf } from './answer.ts';
 
 export interface RunHandlers {
@@ -15,6 +15,9 @@ export interface RunHandlers {
   refused(path: string, message: string): void;
 }
 
+/** How it is computed: from where, pushed by what, and what is waited for. */
+export type RunOptions = Omit<RunRequest, 'scenario'>;
+
 /** One run at a time, in a worker of its own; nothing is heard of an older one. */
 export class RunClient {
   private readonly worker: RemoteWorker<RunCalls>;
@@ -24,17 +27,12 @@ export class RunClient {
     this.worker = new RemoteWorker(start);
   }
 
-  /**
-   * @param from a row to go on from, in place of a start at t = 0
-   * @param live what pushes it from the start; without it the run cannot be pushed
-   * @param soonest begins without what only makes a run faster
-   */
-  start(scenario: Scenario, handlers: RunHandlers, from?: Continuation, live?: Live, soonest?: boolean): void {
+  start(scenario: Scenario, handlers: RunHandlers, { from, live, until, soonest }: RunOptions = {}): void {
     this.abandon();
     const abort = new AbortController();
     const call = this.worker.call(
       'run.compute',
-      { scenario, from, live, soonest },
+      { scenario, from, live, until, soonest },
       { signal: abort.signal, onEvent: (event) => hear(event, handlers) },
     );
     const current = (this.current = { call, abort });

@@ -13,7 +13,7 @@ const SEND_MS = 30;
 export const calls: Handlers<RunCalls> = { 'run.compute': compute };
 
 async function compute(
-  { scenario, from, live, soonest = false }: RunRequest,
+  { scenario, from, live, until = 0, soonest = false }: RunRequest,
   { signal, emit, onUpdate }: Caller<RunEvent, Live>,
 ): Promise<RunResult> {
   const [system] = await Promise.all([
@@ -52,6 +52,7 @@ async function compute(
   if (live) act(live);
   onUpdate(act);
 
+  let awaited = true;
   for (let lastSent = performance.now(); !simulation.end;) {
     if (signal.aborted) {
       simulation.stop('cancelled', 'cancelled; what was computed is kept');
@@ -65,7 +66,8 @@ async function compute(
       send();
       lastSent = 0;
       await new Promise<void>((resolve) => (wake = resolve));
-    } else if (performance.now() - lastSent >= SEND_MS) {
+    } else if ((awaited && simulation.time >= until) || performance.now() - lastSent >= SEND_MS) {
+      awaited &&= simulation.time < until;
       send();
       lastSent = performance.now();
     }

@@ -15,6 +15,8 @@ export interface RunRequest {
   from?: Continuation | undefined;
   /** What pushes the run from its start; without it the run cannot be pushed. */
   live?: Live | undefined;
+  /** The time (s) that is waited for on the stage: rows are sent as soon as it is reached. */
+  until?: number | undefined;
   /** Begins without what only makes a run faster: the bits are the same, the engine may be another. */
   soonest?: boolean | undefined;
 }

@@ -54,6 +54,7 @@ export function LocusForm({
     commit: (value) => {
       typed.value = { ...typed.value, [end]: value ?? offered[end] };
     },
+    aside() {},
   });
   const count: NumberSpec = {
     path: 'locus.count',
@@ -69,6 +70,7 @@ export function LocusForm({
     commit: (value) => {
       typed.value = { ...typed.value, count: Math.round(Number(value ?? COUNT)) };
     },
+    aside() {},
   };
   return (
     <form

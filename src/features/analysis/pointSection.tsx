@@ -59,10 +59,8 @@ export function PointSection({
   );
 }
 
-/** Where the point is a controller's, the running motion goes on with the new one. */
 function setPoint(ui: Ui, name: string, value: NumberOrExpression | undefined): void {
   edit(ui, name, (now) => withPoint(now, name, value));
-  if (ui.app.state.draft.peek().control?.type === 'lqr') ui.app.actions.retune();
 }
 
 /** How fast it goes: a word of the system's own, or the rate of its first coordinate (itself, in first order). */

@@ -31,10 +31,10 @@ test('what is refused stays in its field with its reason; the draft keeps the la
   const before = app.state.draft.value;
   type('initial-alpha_fp', 'pi/(8');
   expect(field('initial-alpha_fp').getAttribute('aria-invalid')).toBe('true');
-  expect(screen.getByText(words.notInForce(1))).toBeTruthy();
+  expect(screen.getByText(words.wrongField)).toBeTruthy();
   expect(app.state.draft.value).toEqual(before);
   type('initial-alpha_fp', '-10');
-  expect(screen.queryByText(words.notInForce(1))).toBeNull();
+  expect(screen.queryByText(words.wrongField)).toBeNull();
   expect(app.state.draft.value.initial?.['alpha_fp']).toBe('-10 deg');
 });
 

@@ -66,7 +66,6 @@ export function ControlSection() {
       lqr: firstLqr(meta, draft.initial, saved?.type === 'lqr' ? saved : undefined),
     }[id];
     edit(ui, words.controlKind, (now) => withKey(now, 'control', chosen));
-    ui.app.actions.retune();
   };
   return (
     <Section title={words.control}>

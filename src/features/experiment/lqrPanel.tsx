@@ -1,6 +1,5 @@
 /** LQR in the panel: inputs, operating point, a weight for every state and input; the running motion goes on with each change. */
 import { MathSymbol } from '../../charts/textView.tsx';
-import { useSignal } from '@preact/signals';
 import type { LqrControl, NumberOrExpression } from '../../core/scenario/types.ts';
 import type { CoordinateMeta, InputMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
@@ -18,43 +17,16 @@ import { numberOf } from '../../ui/kit/useNumberField.ts';
 const LEAST = -3;
 const MOST = 4;
 const STEP = 0.05;
-/** Changes closer together than this (ms) are one step of undo. */
-const GESTURE_MS = 600;
 
 export function LqrPanel({ control }: { control: LqrControl }) {
   const ui = useUi();
   const meta = ui.system.value!.meta;
-  const history = useSignal<readonly LqrControl[]>([]);
-  const lastChange = useSignal(0);
-  const set = (next: LqrControl) => {
-    edit(ui, words.control, (now) => withKey(now, 'control', next));
-    ui.app.actions.retune();
-  };
-  const change = (part: Partial<LqrControl>) => {
-    const now = performance.now();
-    if (now - lastChange.peek() > GESTURE_MS) history.value = [...history.peek(), control];
-    lastChange.value = now;
-    set({ ...control, ...part });
-  };
-  const undo = () => {
-    const back = history.peek().at(-1);
-    if (!back) return;
-    history.value = history.peek().slice(0, -1);
-    lastChange.value = 0;
-    set(back);
-  };
-  const onKeyDown = (event: KeyboardEvent) => {
-    if (
-      event.key !== 'z' ||
-      !(event.ctrlKey || event.metaKey) ||
-      (event.target as HTMLElement).matches('input[type=text]')
-    )
-      return;
-    event.preventDefault();
-    undo();
-  };
+  const change = (part: Partial<LqrControl>) =>
+    edit(ui, words.control, (now) =>
+      now.control?.type === 'lqr' ? withKey(now, 'control', { ...now.control, ...part }) : now,
+    );
   return (
-    <div class="lqr" data-enter="apply" data-testid="lqr" onKeyDown={onKeyDown}>
+    <div class="lqr" data-enter="apply" data-testid="lqr">
       <p class="hint">{lqrWords.about}</p>
       <InputChoice control={control} meta={meta} change={change} />
       <OperatingPoint control={control} meta={meta} change={change} />
@@ -81,9 +53,6 @@ export function LqrPanel({ control }: { control: LqrControl }) {
             ))}
           </select>
         </label>
-        <button type="button" data-testid="lqr-undo" disabled={history.value.length === 0} onClick={undo}>
-          {lqrWords.undo}
-        </button>
       </div>
       <Weights control={control} meta={meta} change={change} />
       <ComputerFields control={control} change={change} />

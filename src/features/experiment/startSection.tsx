@@ -1,15 +1,15 @@
 /** The start: every coordinate and velocity of the system, and what the consistent start made of them. */
-import { useId } from 'preact/hooks';
+import { useId, useState } from 'preact/hooks';
 import type { Adjustment } from '../../app/runs/motion.ts';
 import type { CoordinateMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { withEntry } from '../../app/state/draft.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
-import { FieldError, NumberBox, NumberField } from '../../ui/kit/numberField.tsx';
+import { FieldError, Handle, Meaning, NumberBox, NumberField } from '../../ui/kit/numberField.tsx';
 import { Chip } from '../../ui/kit/chip.tsx';
 import { MathSymbol } from '../../charts/textView.tsx';
-import { words as kit } from '../../ui/kit/words.ts';
+import { Slider } from '../../ui/kit/slider.tsx';
 import { words } from './words.ts';
 import { useNumberField } from '../../ui/kit/useNumberField.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
@@ -85,20 +85,25 @@ function StartRow({
   const rateSpec = useStartSpec(coordinate, 1);
   const valueField = useNumberField(valueSpec);
   const rateField = useNumberField(rateSpec);
+  const [open, setOpen] = useState(false);
   return (
     <div class="start-row">
-      <span class="handle" title={kit.scrub} {...valueField.scrub}>
+      <Handle label={coordinate.label} field={valueField} open={open} onPress={() => setOpen(!open)}>
         <Chip role={coordinate.role} />
         <span class="name">
           <MathSymbol of={coordinate.symbol} /> {coordinate.label}
         </span>
-      </span>
+      </Handle>
       <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
       {rated && <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />}
+      <Meaning of={valueField} />
+      <Meaning of={rateField} rate />
       <FieldError id={valueId} error={valueField.error} />
       <FieldError id={rateId} error={rateField.error} />
       <Solved adjustment={value} unit={valueSpec.unit!} />
       <Solved adjustment={rate} unit={rateSpec.unit!} rate />
+      {open && <Slider spec={valueSpec} field={valueField} />}
+      {open && rated && <Slider spec={rateSpec} field={rateField} rate />}
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import { edit, replaceDraft, useUi } from '../../ui/context.ts';
+import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';
 import { MathSymbol } from '../../charts/textView.tsx';
@@ -17,7 +17,7 @@ export function SystemSection() {
       options={systems}
       error={errors.get('system')}
       testId="system"
-      onChange={(id) => replaceDraft(ui, () => ui.app.actions.chooseSystem(id))}
+      onChange={(id) => ui.app.actions.chooseSystem(id)}
     />
   );
   if (!system)

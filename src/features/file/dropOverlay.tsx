@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { replaceDraft, useUi } from '../../ui/context.ts';
+import { useUi } from '../../ui/context.ts';
 import { words } from './words.ts';
 
 /** Files may be dropped anywhere on the page. */
@@ -25,7 +25,7 @@ export function DropOverlay() {
         depth = 0;
         over.value = false;
         const files = [...(event.dataTransfer?.files ?? [])];
-        if (files.length > 0) replaceDraft(ui, () => ui.app.actions.openFiles(files));
+        if (files.length > 0) ui.app.actions.openFiles(files);
       },
     };
     const entries = Object.entries(listeners).map(

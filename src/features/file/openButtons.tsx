@@ -1,6 +1,6 @@
 /** In the bar at the top: a file of the person's own, and the samples. */
 import { useRef } from 'preact/hooks';
-import { replaceDraft, useUi } from '../../ui/context.ts';
+import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { Menu } from '../../ui/kit/menu.tsx';
 import { words } from './words.ts';
@@ -59,7 +59,7 @@ function OpenButton() {
         onChange={(event) => {
           const files = [...(event.currentTarget.files ?? [])];
           event.currentTarget.value = '';
-          if (files.length > 0) replaceDraft(ui, () => ui.app.actions.openFiles(files));
+          if (files.length > 0) ui.app.actions.openFiles(files);
         }}
       />
     </>

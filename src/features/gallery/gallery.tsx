@@ -3,7 +3,7 @@ import { useComputed, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { CaseInfo } from '../../app/state/cases.ts';
 import { text } from './words.ts';
-import { replaceDraft, useUi } from '../../ui/context.ts';
+import { useUi } from '../../ui/context.ts';
 import { matches, sectionsOf } from './gallerySections.ts';
 import './gallery.css';
 
@@ -19,7 +19,7 @@ export function Gallery({ onClose }: { onClose(): void }) {
   const found = useComputed(() => app.cases.filter((c) => matches(c, word.value.trim(), titleOf(c))));
   const choose = (id: string) => {
     onClose();
-    replaceDraft(ui, () => app.actions.loadCase(id));
+    app.actions.loadCase(id);
   };
   const sections = sectionsOf(found.value);
   const firstOfReport = sections.find(({ id }) => id.startsWith('3.'))?.id;

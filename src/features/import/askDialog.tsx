@@ -52,8 +52,8 @@ function AnswersForm({ pending: { name, question } }: { pending: PendingFile }) 
 const USUAL_STEP = 1 / 60;
 
 function StepForm({ pending: { name, question } }: { pending: PendingFile }) {
-  const ui = useUi();
-  const { actions } = ui.app;
+  const { actions } = useUi().app;
+  const refused = useRef(false);
   const rest = question.answers[question.safest]?.choices.step ?? USUAL_STEP;
   const inverse = Math.round(1 / rest);
   const offered = Math.abs(inverse * rest - 1) < 1e-9 && inverse > 1 ? `1/${inverse}` : rest;
@@ -66,7 +66,7 @@ function StepForm({ pending: { name, question } }: { pending: PendingFile }) {
   };
   const submit = (event: Event) => {
     event.preventDefault();
-    if (!ui.rejected.peek().has('file.step')) actions.answerPending({ step: numberOf(latest.current, rest) });
+    if (!refused.current) actions.answerPending({ step: numberOf(latest.current, rest) });
   };
   return (
     <Dialog title={words.stepTitle} testId="step-dialog" onClose={() => actions.answerPending(null)}>
@@ -88,6 +88,7 @@ function StepForm({ pending: { name, question } }: { pending: PendingFile }) {
             rest,
             step: 0.001,
             commit,
+            aside: (reason) => void (refused.current = reason !== null),
           }}
         />
         <p class="hint">{words.rowsPerSecond(formatShort(1 / numberOf(step, rest), 5))}</p>

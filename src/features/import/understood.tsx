@@ -113,6 +113,7 @@ function StepField({ step, change }: { step: number; change: Part['change'] }) {
         rest: step,
         step: 0.001,
         commit,
+        aside() {},
       }}
     />
   );

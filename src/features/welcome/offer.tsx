@@ -1,6 +1,6 @@
 /** What a first visit is offered, in the stage's corner: one thing to try, and the tour. */
 import { text } from './words.ts';
-import { replaceDraft, useUi } from '../../ui/context.ts';
+import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { Tour } from './tour.tsx';
 import './welcome.css';
@@ -12,7 +12,7 @@ export function WelcomeView({ touring, onTour, onEnd }: { touring: boolean; onTo
   if (touring) return <Tour onEnd={onEnd} />;
   const balance = () => {
     onEnd();
-    replaceDraft(ui, () => ui.app.actions.loadCase(TO_TRY));
+    ui.app.actions.loadCase(TO_TRY);
     document.getElementById('stage')?.focus();
   };
   return (

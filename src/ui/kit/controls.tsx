@@ -146,6 +146,8 @@ const LINES = {
   raise: 'M3 2.5h10M8 13.5V6M4.5 9.5L8 6l3.5 3.5',
   lower: 'M3 13.5h10M8 2.5V10M4.5 6.5L8 10l3.5-3.5',
   table: 'M2 3h12v10H2zM2 6.5h12M2 10h12M6 3v10',
+  undo: 'M3 6.5h7a3.5 3.5 0 0 1 0 7H6M6 3L2.5 6.5 6 10',
+  redo: 'M13 6.5H6a3.5 3.5 0 0 0 0 7h4M10 3l3.5 3.5L10 10',
   close: 'M4 4l8 8M12 4l-8 8',
   left: 'M10 3L5 8l5 5',
   right: 'M6 3l5 5-5 5',

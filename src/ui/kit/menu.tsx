@@ -21,6 +21,7 @@ export function Menu({
   items,
   testId,
   wide,
+  above,
   align = 'left',
   children,
 }: {
@@ -30,6 +31,8 @@ export function Menu({
   items: readonly MenuItem[];
   testId: string;
   wide?: boolean;
+  /** Opens upward. */
+  above?: boolean;
   align?: 'left' | 'right';
   children: ComponentChildren;
 }) {
@@ -94,7 +97,13 @@ export function Menu({
         {children}
         <Icon name="down" />
       </button>
-      <div id={id} role="menu" aria-label={label} class={`menu-list ${align}${wide ? ' wide' : ''}`} hidden={!open}>
+      <div
+        id={id}
+        role="menu"
+        aria-label={label}
+        class={`menu-list ${align}${wide ? ' wide' : ''}${above ? ' above' : ''}`}
+        hidden={!open}
+      >
         {open &&
           groupsOf(items).map(([group, members]) => (
             <div key={group} role={group ? 'group' : 'none'} aria-label={group || undefined} class="menu-group">

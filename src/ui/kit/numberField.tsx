@@ -1,9 +1,10 @@
 import type { ComponentChildren } from 'preact';
-import { useId } from 'preact/hooks';
-import { formatQuantity, formatShort, isExpression, toShown } from './format.ts';
+import { useId, useState } from 'preact/hooks';
+import { formatShort, isExpression, toShown } from './format.ts';
+import { Slider } from './slider.tsx';
 import { words } from './words.ts';
-import { numberOf, useNumberField } from './useNumberField.ts';
-import type { NumberSpec } from './useNumberField.ts';
+import { useNumberField } from './useNumberField.ts';
+import type { NumberFieldState, NumberSpec } from './useNumberField.ts';
 
 /** The box alone: input, unit (drag it to scrub) and the dot that resets. */
 export function NumberBox({
@@ -14,7 +15,7 @@ export function NumberBox({
   id,
 }: {
   spec: NumberSpec;
-  field: ReturnType<typeof useNumberField>;
+  field: NumberFieldState;
   testId?: string | undefined;
   placeholder?: string | undefined;
   id: string;
@@ -44,13 +45,10 @@ export function NumberBox({
         aria-describedby={field.error ? `${id}-error` : undefined}
         placeholder={placeholder ?? shownRest}
         data-testid={testId}
+        data-path={spec.path}
       />
       {spec.unit && (
-        <span
-          class="unit"
-          title={expression ? `= ${formatQuantity(numberOf(spec.value, NaN), spec.unit)}` : words.scrub}
-          {...field.scrub}
-        >
+        <span class="unit" title={words.scrub} {...field.scrub}>
           {expression ? spec.unit.replace('°', 'rad') : spec.unit}
         </span>
       )}
@@ -64,6 +62,42 @@ export function FieldError({ id, error }: { id: string; error: string | null }) 
       {error}
     </span>
   ) : null;
+}
+
+/** Dragged it changes the value; pressed it shows the slider. */
+export function Handle({
+  label,
+  field,
+  open,
+  onPress,
+  children,
+}: {
+  label: string;
+  field: NumberFieldState;
+  open: boolean;
+  onPress(): void;
+  children: ComponentChildren;
+}) {
+  return (
+    // Not a stop of the keyboard: in the field the arrow keys do what the slider does.
+    <button
+      type="button"
+      class="handle"
+      tabIndex={-1}
+      aria-expanded={open}
+      aria-label={words.sliderOf(label)}
+      title={words.handle}
+      {...field.scrub}
+      onClick={() => !field.wasDragged() && onPress()}
+    >
+      {children}
+    </button>
+  );
+}
+
+/** What an expression in the field comes to. */
+export function Meaning({ of: { meaning }, rate = false }: { of: NumberFieldState; rate?: boolean }) {
+  return meaning === null ? null : <span class={`meaning${rate ? ' rate' : ''}`}>{meaning}</span>;
 }
 
 /** One row: symbol, name, value, unit. */
@@ -83,18 +117,21 @@ export function NumberField({
 }) {
   const id = useId();
   const field = useNumberField(spec);
+  const [open, setOpen] = useState(false);
   return (
     <div class="field">
       {symbol !== undefined && (
-        <span class="handle" title={words.scrub} {...field.scrub}>
+        <Handle label={spec.label} field={field} open={open} onPress={() => setOpen(!open)}>
           {symbol}
-        </span>
+        </Handle>
       )}
       <label for={id} class="name" title={note}>
         {spec.label}
       </label>
       <NumberBox spec={spec} field={field} testId={testId} placeholder={placeholder} id={id} />
+      <Meaning of={field} />
       <FieldError id={id} error={field.error} />
+      {open && <Slider spec={spec} field={field} />}
     </div>
   );
 }

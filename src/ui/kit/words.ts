@@ -3,6 +3,8 @@ export const words = {
   close: 'Close',
   differs: (name: string) => `${name} differs from the case: set it back`,
   scrub: 'Drag to change',
+  handle: 'Drag to change, press for a slider',
+  sliderOf: (name: string) => `Slider for ${name}`,
   stepValue: 'step the value; Shift ×10, Alt ÷10',
   valueUp: 'Step up',
   valueDown: 'Step down',

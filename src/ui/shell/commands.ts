@@ -134,6 +134,23 @@ const lastCommands: readonly Command[] = [
     keys: [on(lines.run, 'Enter', { place: 'field' }), on(lines.run, 'Enter', { control: true })],
     perform: ({ actions }) => actions.run(),
   },
+  {
+    id: 'undo',
+    label: ({ state }) => text.history.undo(state.history.value[state.historyAt.value - 1]?.label),
+    keys: [on(lines.undo, 'z', { control: true, textual: true })],
+    enabled: ({ state }) => state.historyAt.value > 0,
+    perform: ({ actions }) => actions.undo(),
+  },
+  {
+    id: 'redo',
+    label: ({ state }) => text.history.redo(state.history.value[state.historyAt.value]?.label),
+    keys: [
+      on(lines.redo, 'z', { control: true, shift: true, textual: true }),
+      on(lines.redo, 'y', { control: true, textual: true }),
+    ],
+    enabled: ({ state }) => state.historyAt.value < state.history.value.length,
+    perform: ({ actions }) => actions.redo(),
+  },
   ...fieldCommands,
   {
     id: 'keys',

@@ -21,11 +21,14 @@ export function press({ app, commands }: Pick<Ui, 'app' | 'commands'>, event: Pr
   const { target } = event;
   if (event.ctrlKey || event.metaKey || runsOnEnter(target)) {
     const command = commandFor(commands, event, app, runsOnEnter(target) ? 'field' : undefined);
+    if (!command?.perform) return;
+    if (command.keys?.some(({ textual }) => textual)) {
+      if (keepsText(target)) return;
+      event.preventDefault();
+      command.perform(app);
+    }
     // after the field has taken the key and what it led to has been drawn
-    if (command?.perform)
-      setTimeout(() => {
-        if (!refused(target)) command.perform!(app);
-      });
+    else setTimeout(() => command.perform!(app));
     return;
   }
   if (typing(target) || (event.key === ' ' && pressing(target))) return;
@@ -44,8 +47,11 @@ function runsOnEnter(target: EventTarget | null): boolean {
   );
 }
 
-const refused = (target: EventTarget | null): boolean =>
-  target instanceof HTMLInputElement && target.ariaInvalid === 'true';
+/** Text that is no part of the experiment: a name, a search. */
+const keepsText = (target: EventTarget | null): boolean =>
+  (target instanceof HTMLTextAreaElement ||
+    (target instanceof HTMLInputElement && /^(text|search|number|url)$/.test(target.type))) &&
+  target.dataset['path'] === undefined;
 
 function typing(target: EventTarget | null): boolean {
   // The transport's slider is the time line itself; every other one keeps its arrows, Home and End.

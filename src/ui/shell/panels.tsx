@@ -13,6 +13,10 @@ const usePanel = () => useUi().features.flatMap(({ id, panel }) => (panel ? [{ i
 export function LeftPanel() {
   const [open, setOpen] = useState(true);
   const panel = usePanel();
+  const { state } = useUi().app;
+  useSignalEffect(() => {
+    if (state.wantedField.value) setOpen(true);
+  });
   if (!panel) return null;
   const { title, Body } = panel;
   const label = open ? text.panel.fold(title) : text.panel.unfold(title);
@@ -125,6 +129,9 @@ export function Sheet() {
   });
   useSignalEffect(() => {
     for (const { id, wanted } of tools) if (wanted?.(app)) current.value = id;
+  });
+  useSignalEffect(() => {
+    if (state.wantedField.value && panel) current.value = panel.id;
   });
   const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
     ...(panel ? [{ ...panel, there: true }] : []),

@@ -1,32 +1,8 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { Comparison } from '../../../src/app/runs/comparison.ts';
-import { Sweep } from '../../../src/app/runs/sweep.ts';
-import { createApp, systemMetas } from '../../../src/app/store.ts';
-import { Compute } from '../../../src/compute/client/compute.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';
-import { NearWorker } from '../../compute/nearWorker.ts';
+import { endWorkers, workingApp } from '../workingApp.ts';
 
-const workers: { purpose: string; worker: NearWorker }[] = [];
-
-function workingApp() {
-  vi.stubGlobal('requestAnimationFrame', () => 0);
-  vi.stubGlobal('cancelAnimationFrame', () => undefined);
-  const compute = new Compute(
-    (purpose) => {
-      const worker = new NearWorker();
-      workers.push({ purpose, worker });
-      return worker;
-    },
-    systemMetas,
-    1,
-  );
-  const { comparison, sweep } = { comparison: new Comparison(compute.comparison), sweep: new Sweep(compute.sweep) };
-  return createApp(compute, { dark: false, reducedMotion: true, roomy: false }, comparison, sweep);
-}
-
-afterEach(() => {
-  for (const { worker } of workers.splice(0)) worker.terminate();
-});
+afterEach(endWorkers);
 
 const FALLING: ScenarioFile = {
   version: 1,
@@ -40,6 +16,8 @@ const FALLING: ScenarioFile = {
 
 test('a run that has ended is compared beside the page; an edit stops it and it begins anew', async () => {
   const { state, actions } = workingApp();
+  // Else the run follows the edit.
+  actions.set('live', false);
   actions.loadScenario(FALLING, 'Falling');
   await vi.waitFor(() => expect(state.trust.value?.kind).toBe('comparing'), 20_000);
   actions.edit('alpha', (draft) => ({ ...draft, duration: 4 }));

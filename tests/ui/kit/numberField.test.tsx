@@ -70,10 +70,10 @@ test.each([
   expect(container.querySelector(`#${CSS.escape(input.getAttribute('aria-describedby')!)}`)!.textContent).toMatch(
     reason,
   );
-  expect([...ui.rejected.value.keys()]).toEqual(['initial.x']);
+  expect([...ui.app.state.refusedFields.value.keys()]).toEqual(['initial.x']);
   fireEvent.keyDown(input, { key: 'Escape' });
   expect(input.value).toBe('1');
-  expect(ui.rejected.value.size).toBe(0);
+  expect(ui.app.state.refusedFields.value.size).toBe(0);
 });
 
 test('arrows step in the field’s own decade, Shift tenfold, and never past a bound', () => {
@@ -96,7 +96,7 @@ test('the dot says that the draft differs, and sets it back', () => {
 test('a field that leaves the page takes its refusal along', () => {
   const { type, ui, unmount } = field({ value: 1 });
   type('soon');
-  expect(ui.rejected.value.size).toBe(1);
+  expect(ui.app.state.refusedFields.value.size).toBe(1);
   unmount();
-  expect(ui.rejected.value.size).toBe(0);
+  expect(ui.app.state.refusedFields.value.size).toBe(0);
 });

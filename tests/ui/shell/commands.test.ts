@@ -52,7 +52,7 @@ describe('the list', () => {
       ['?', 'this sheet'],
     ]);
     const all = sheetOf(commands);
-    expect([...all.slice(0, 9), ...all.slice(-3)]).toEqual(own);
+    expect([...all.slice(0, 9), ...all.slice(-5)]).toEqual(own);
   });
 
   test.each(bound.map(({ command, key }) => [command.id, JSON.stringify(key), key] as const))(

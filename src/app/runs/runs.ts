@@ -254,7 +254,8 @@ export class Runs {
             pushes,
             judgement: null,
           };
-          if (notes.length > 0) messages.report('info', 'About the start', notes);
+          // What is typed on may be told at the next number.
+          if (notes.length > 0 && !entry.live) messages.report('info', 'About the start', notes);
         },
         rows: (columns, rows, time, counts, seconds) => {
           motion!.trajectory.append(columns, rows);

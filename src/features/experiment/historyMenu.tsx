@@ -10,7 +10,7 @@ const SHOWN = 40;
 const LONGEST = 24;
 
 const short = (value: string | undefined): string => {
-  const text = value ?? words.none;
+  const text = value || words.none;
   return text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
 };
 

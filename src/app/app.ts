@@ -135,6 +135,8 @@ export interface App {
   systemOf(id: string): SystemView | undefined;
   /** Linearization and design, computed in a worker. */
   control: ControlClient;
+  /** Regulators tried in whole runs. */
+  effect: ControlClient;
   locus: LocusClient;
   /** The equations in numbers. */
   mechanics: MechanicsClient;

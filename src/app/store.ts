@@ -227,6 +227,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     systems: Object.values(systemMetas).map(({ id, title }) => ({ id, title })),
     systemOf: (id) => systemViews[id],
     control: compute.control,
+    effect: compute.effect,
     locus: compute.locus,
     mechanics: compute.mechanics,
     comparison,

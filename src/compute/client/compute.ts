@@ -9,7 +9,7 @@ import { RunClient } from './runClient.ts';
 import { SweepClient } from './sweepClient.ts';
 
 /** What a worker is started for; all are the same program, and the name is seen in the browser's tools. */
-export type Purpose = 'run' | 'trust' | 'control' | 'locus' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
+export type Purpose = 'run' | 'trust' | 'control' | 'effect' | 'locus' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
 
 /** All that the page can have computed aside. A worker is started by the first call that needs it. */
 export class Compute {
@@ -17,6 +17,8 @@ export class Compute {
   /** Runs computed a second time. */
   readonly trust: RunClient;
   readonly control: ControlClient;
+  /** Regulators tried in whole runs, beside the answers that are waited for. */
+  readonly effect: ControlClient;
   readonly locus: LocusClient;
   readonly mechanics: MechanicsClient;
   readonly csv: CsvClient;
@@ -30,6 +32,7 @@ export class Compute {
     this.run = new RunClient(() => start('run'));
     this.trust = new RunClient(() => start('trust'));
     this.control = new ControlClient(() => start('control'), metas);
+    this.effect = new ControlClient(() => start('effect'), metas);
     this.locus = new LocusClient(() => start('locus'), metas);
     this.mechanics = new MechanicsClient(() => start('mechanics'));
     this.csv = new CsvClient(() => start('csv'));

@@ -1,6 +1,7 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
+import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
 import type { ControlCalls } from '../services/controlTypes.ts';
 import { answerOf, checked, type Answer, type Metas } from './answer.ts';
@@ -41,6 +42,11 @@ export class ControlClient {
   /** Margins of its regulator and its sampled loop; takes longer. As `analyse`, of which its askers are apart. */
   computer(file: ScenarioFile, asker: string): Promise<Answer<ComputerReport> | null> {
     return this.ask(file, asker, (scenario) => this.worker.call('control.computer', scenario).result);
+  }
+
+  /** What its regulator does in a whole run, which takes as long as the run. */
+  effect(file: ScenarioFile, asker: string): Promise<Answer<RegulatorEffect> | null> {
+    return this.ask(file, asker, (scenario) => this.worker.call('control.effect', scenario).result);
   }
 
   private ask<T>(

@@ -1,7 +1,10 @@
 import type { Handlers } from '../remote/serve.ts';
 import type { ControlCalls } from './controlTypes.ts';
-import { systemOf } from './load.ts';
+import { feedbackFor, partsOf, systemOf } from './load.ts';
+import { nextTurn } from './nextTurn.ts';
 
+/** Computing time between looks at the mailbox, ms. */
+const SLICE_MS = 12;
 /** Progress is told about as often as a screen is drawn. */
 const TELL_MS = 30;
 
@@ -16,6 +19,27 @@ export const calls: Handlers<ControlCalls> = {
       systemOf(scenario),
     ]);
     return computerReport(scenario, system);
+  },
+  async 'control.effect'(scenario, { signal }) {
+    const [{ EffectMeter }, { Simulation }, system] = await Promise.all([
+      import('../../core/control/design/effect.ts'),
+      import('../../core/simulation/simulation.ts'),
+      systemOf(scenario, partsOf(scenario, false, false)),
+    ]);
+    const meter = new EffectMeter(scenario, system);
+    const simulation = new Simulation(scenario, system, {
+      extras: ['inputs'],
+      feedback: await feedbackFor(scenario, system),
+    });
+    while (!simulation.end && !signal.aborted) {
+      const began = performance.now();
+      simulation.advance(() => performance.now() >= began + SLICE_MS);
+      const { columns, rows } = simulation.takeChunk();
+      meter.take(simulation.columns, columns, rows);
+      await nextTurn();
+    }
+    const { end, time, counts } = simulation;
+    return meter.effect(end ?? { reason: 'cancelled', time }, counts.work);
   },
   async 'control.locus'({ scenario, request }, { emit }) {
     const [{ scenarioLocus }, system] = await Promise.all([

@@ -1,5 +1,6 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
+import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -9,6 +10,8 @@ export interface ControlCalls {
   'control.analyse': Call<Scenario, ControlAnalysis>;
   /** What it takes to run its regulator on a computer, and what comes of the one that it names. */
   'control.computer': Call<Scenario, ComputerReport>;
+  /** What its regulator does in the run of the scenario. */
+  'control.effect': Call<Scenario, RegulatorEffect>;
   /** Eigenvalues along a range; tells its share (0 to 1). It does not look at its mailbox: end its worker to cancel it. */
   'control.locus': Call<{ scenario: Scenario; request: LocusRequest }, ScenarioLocus, number>;
 }

@@ -54,9 +54,11 @@ export function LqrPanel({ control }: { control: LqrControl }) {
           </select>
         </label>
       </div>
-      <Weights control={control} meta={meta} change={change} />
+      <div class="lqr-turned">
+        <LqrReadout />
+        <Weights control={control} meta={meta} change={change} />
+      </div>
       <ComputerFields control={control} change={change} />
-      <LqrReadout />
     </div>
   );
 }

@@ -5,6 +5,7 @@ import type { Answer } from '../../app/app.ts';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { LqrEffect } from './lqrEffect.tsx';
 import { lqrWords as words } from './words.ts';
 
 const WIDTH = 288;
@@ -46,6 +47,17 @@ export function LqrReadout() {
   return (
     <div class="lqr-readout" data-testid="lqr-readout">
       <ComplexPlane open={now.value.eigenvalues} closed={now.value.closedLoopEigenvalues ?? []} />
+      <p class="poles" data-testid="lqr-poles">
+        <span class="poles-title">{words.poles}</span>{' '}
+        {(closedLoop ?? [])
+          .filter(({ eigenvalue }) => eigenvalue[1] >= 0)
+          .map(({ eigenvalue, damping }, i) => (
+            <span key={i} class="pole" title={words.poleDamping(formatShort(damping ?? 1, 2))}>
+              {poleInWords(eigenvalue)}
+            </span>
+          ))}
+      </p>
+      <LqrEffect />
       <dl class="facts">
         <dt>{words.slowest}</dt>
         <dd>{slowest ? `${formatShort(slowest.timeConstant ?? Infinity, 3)} s` : '–'}</dd>
@@ -61,6 +73,11 @@ export function LqrReadout() {
       )}
     </div>
   );
+}
+
+/** `−1.2 ± 3.4i`, 1/s. */
+function poleInWords([re, im]: readonly [number, number]): string {
+  return `${formatShort(re, 3)}${im === 0 ? '' : ` ± ${formatShort(Math.abs(im), 3)}i`}`;
 }
 
 /** Open loop as crosses, closed loop as dots; what is far out stands at the edge. */
@@ -83,11 +100,7 @@ function ComplexPlane({
       class="complex-plane"
       viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
       role="img"
-      aria-label={words.plane(
-        closed
-          .map(([re, im]) => `${formatShort(re, 3)}${im === 0 ? '' : ` ± ${formatShort(Math.abs(im), 3)} i`}`)
-          .join('; '),
-      )}
+      aria-label={words.plane(closed.map(poleInWords).join('; '))}
     >
       <rect x={WIDTH / 2} y="0" width={WIDTH / 2} height={HEIGHT} class="unstable" />
       <line x1="0" x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} class="axis" />

@@ -5,13 +5,14 @@ import { controlReport } from '../core/control/design/report.ts';
 import { computerReport } from '../core/control/sampled/computerReport.ts';
 import { LONGEST_FILE } from '../core/scenario/defaults.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
-import { ScenarioError, type Scenario } from '../core/scenario/types.ts';
+import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
 import { bench } from './bench.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
 import { read, type ReadOptions } from './read.ts';
 import { simulate } from './simulate.ts';
+import { test } from './test.ts';
 import { UsageError, pathOf } from './usage.ts';
 
 const USAGE = `Usage:
@@ -20,11 +21,13 @@ const USAGE = `Usage:
                                                                      as JSON how many digits are right until when
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
+  npm run --silent ripstik -- test SCENARIO.json                     manoeuvres with pass or fail: exit 0 if all passed, 1 if not
+       [--tests TESTS.json] [--report OUT.json] [--junit OUT.xml]    (without --tests: those that come with the system)
   npm run --silent ripstik -- read FILE [--out RUN.csv]              any table of numbers: what is understood, as JSON; its rows as CSV
        [--units alpha=deg,…] [--map theta=yaw,…] [--time COLUMN] [--step SECONDS] [--system ID] [--run N] [--body NAME] [--scalar first|last] [--rates savitzky-golay]
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
-SCENARIO.json may be - for standard input. Exit status: 0, 2 for a bad call or scenario, 3 when a run stopped early.`;
+SCENARIO.json may be - for standard input. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
 /** A scenario, its JSON as it was written, and its system. */
 async function readScenario(
@@ -93,6 +96,10 @@ async function main(args: readonly string[]): Promise<number> {
   const [command, ...rest] = args;
   const out = takeOption(rest, '--out');
   const verify = takeFlag(rest, '--verify');
+  const testing =
+    command === 'test'
+      ? { tests: takeOption(rest, '--tests'), report: takeOption(rest, '--report'), junit: takeOption(rest, '--junit') }
+      : null;
   const reading = command === 'read' ? readOptions(rest) : {};
   const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
   if (verify && command !== 'simulate') throw new UsageError('--verify is for simulate');
@@ -112,6 +119,10 @@ async function main(args: readonly string[]): Promise<number> {
       print({ ...controlReport(scenario, system), ...computerReport(scenario, system) });
       return 0;
     }
+    case 'test': {
+      const { written, system } = await readScenario(rest[0]);
+      return test(written as ScenarioFile, system, testing!);
+    }
     case 'read':
       print(await read(rest[0], metas, { out, ...reading }));
       return 0;
@@ -127,7 +138,9 @@ async function main(args: readonly string[]): Promise<number> {
       process.stdout.write(`${USAGE}\n`);
       return command === undefined ? 2 : 0;
     default:
-      throw new UsageError(`no command "${command}"; there are simulate, point, linearize, read, cases and bench`);
+      throw new UsageError(
+        `no command "${command}"; there are simulate, point, linearize, test, read, cases and bench`,
+      );
   }
 }
 

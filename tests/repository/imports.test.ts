@@ -34,6 +34,7 @@ const CORE: Table = {
   engine: ['model', 'integrators', 'mechanics'],
   simulation: ['linalg', 'model', 'integrators', 'mechanics', 'engine', 'scenario'],
   motion: ['linalg', 'model', 'cases', 'simulation'],
+  manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
 };
 /** Packages that one folder alone imports. */

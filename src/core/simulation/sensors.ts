@@ -1,6 +1,6 @@
+import { normal } from '../scenario/chance.ts';
 import { Formula } from '../scenario/formula.ts';
 import type { Sensor } from '../scenario/types.ts';
-import { normal } from './noise.ts';
 
 /** What a controller's sensors read of a state: noise, bias and drift added, then rounded to their steps. */
 export class Sensors {

@@ -1,6 +1,6 @@
 // The noise of sensors: the moments of a normal distribution, and the same numbers for the same seed.
 import { expect, test } from 'vitest';
-import { normal } from '../../../src/core/simulation/noise.ts';
+import { normal } from '../../../src/core/scenario/chance.ts';
 import { Sensors } from '../../../src/core/simulation/sensors.ts';
 
 const COUNT = 100_000;

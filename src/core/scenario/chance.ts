@@ -16,6 +16,16 @@ function mixed(x: number): number {
 const STRIDE = 0x9e3779b9;
 const UNIFORMS = 12;
 
+/** The key of a stream of a seed. */
+const keyOf = (seed: number, stream: number): number => mixed(mixed(seed + STRIDE) ^ Math.imul(stream + 1, 0x27d4eb2f));
+
+/** Between 0 and 1, neither included. */
+const share = (key: number, at: number): number =>
+  (mixed(mixed(key + Math.imul(at + 1, STRIDE)) ^ key) + 0.5) / 2 ** 32;
+
+/** Evenly between 0 and 1. @param seed, stream, place whole numbers */
+export const uniform = (seed: number, stream: number, place: number): number => share(keyOf(seed, stream), place);
+
 /**
  * One of a normal distribution with mean 0 and deviation 1: twelve uniform numbers less six (N. L. Johnson, S. Kotz and
  * N. Balakrishnan, Continuous Univariate Distributions, vol. 2, section 26.9). Mean, deviation and skewness are exact, the
@@ -24,11 +34,8 @@ const UNIFORMS = 12;
  * @param seed, stream, place whole numbers
  */
 export function normal(seed: number, stream: number, place: number): number {
-  const key = mixed(mixed(seed + STRIDE) ^ Math.imul(stream + 1, 0x27d4eb2f));
+  const key = keyOf(seed, stream);
   let sum = -6;
-  for (let i = 0; i < UNIFORMS; i++) {
-    const at = mixed(key + Math.imul(place * UNIFORMS + i + 1, STRIDE));
-    sum += (mixed(at ^ key) + 0.5) / 2 ** 32;
-  }
+  for (let i = 0; i < UNIFORMS; i++) sum += share(key, place * UNIFORMS + i);
   return sum;
 }

@@ -1,0 +1,116 @@
+import type { CheckedTest } from './testFile.ts';
+import type { Measured } from './run.ts';
+
+/** What came of a test. */
+export interface Outcome {
+  name: string;
+  measure: string;
+  /** [least, most]; null: none. */
+  bound: [number | null, number | null];
+  passed: boolean;
+  /** Of a single run; of a spread the value that is worst off. Null where there is none. */
+  value: number | null;
+  /** In words. */
+  message: string;
+  /** Of a spread: how many runs passed, and the numbers of all. */
+  spread?: { passed: number; count: number; values: (number | null)[] };
+  /** Of computing. */
+  seconds: number;
+}
+
+export interface TestReport {
+  version: 1;
+  system: string;
+  passed: number;
+  failed: number;
+  seconds: number;
+  tests: Outcome[];
+}
+
+const numberOrNull = (x: number): number | null => (Number.isFinite(x) ? x : null);
+const short = (x: number): string => String(Number(x.toPrecision(4)));
+
+/** @param runs as many as the test has; an error's words in the place of a run that could not begin */
+export function outcomeOf(test: CheckedTest, runs: readonly (Measured | string)[], seconds: number): Outcome {
+  const within = (run: Measured | string): boolean =>
+    typeof run !== 'string' && run.value >= test.low && run.value <= test.high;
+  const passedRuns = runs.filter(within).length;
+  const passed = passedRuns >= Math.ceil((test.spread?.share ?? 1) * runs.length - 1e-9);
+  // How far outside its bounds; a run without a number is worst.
+  const miss = (run: Measured | string): number => {
+    if (typeof run === 'string' || Number.isNaN(run.value)) return Infinity;
+    return Math.max(test.low - run.value, run.value - test.high);
+  };
+  const worst = [...runs].sort((a, b) => miss(b) - miss(a))[0]!;
+  const value = typeof worst === 'string' ? null : numberOrNull(worst.value);
+  return {
+    name: test.name,
+    measure: test.measure,
+    bound: [numberOrNull(test.low), numberOrNull(test.high)],
+    passed,
+    value,
+    message: wordsOf(test, worst, runs.length, passedRuns),
+    ...(test.spread
+      ? {
+          spread: {
+            passed: passedRuns,
+            count: runs.length,
+            values: runs.map((run) => (typeof run === 'string' ? null : numberOrNull(run.value))),
+          },
+        }
+      : {}),
+    seconds,
+  };
+}
+
+function wordsOf(test: CheckedTest, worst: Measured | string, count: number, passed: number): string {
+  const many = count > 1 ? `${passed} of ${count} runs passed; the worst: ` : '';
+  if (typeof worst === 'string') return many + worst;
+  const { value, end } = worst;
+  if (Number.isNaN(value))
+    return many + (end.reason === 'end' ? `the run has no ${test.measure}` : `the run stopped early: ${end.message}`);
+  const bounds =
+    test.low === -Infinity
+      ? `at most ${short(test.high)}`
+      : test.high === Infinity
+        ? `at least ${short(test.low)}`
+        : `${short(test.low)} to ${short(test.high)}`;
+  return `${many}${test.measure} = ${short(value)}, ${value >= test.low && value <= test.high ? 'within' : 'not'} ${bounds}`;
+}
+
+export function reportOf(system: string, tests: readonly Outcome[]): TestReport {
+  const passed = tests.filter((t) => t.passed).length;
+  return {
+    version: 1,
+    system,
+    passed,
+    failed: tests.length - passed,
+    seconds: tests.reduce((sum, t) => sum + t.seconds, 0),
+    tests: [...tests],
+  };
+}
+
+const escaped = (text: string): string =>
+  text.replace(
+    /[<>&"'\u0000-\u0008\u000b\u000c\u000e-\u001f]/g,
+    (c) => ({ '<': '&lt;', '>': '&gt;', '&': '&amp;', '"': '&quot;', "'": '&apos;' })[c] ?? '\ufffd',
+  );
+
+/** JUnit's XML, as build servers read it. */
+export function junitOf({ system, tests, failed, seconds }: TestReport): string {
+  const cases = tests.map((t) => {
+    const open = `    <testcase classname="${escaped(system)}" name="${escaped(t.name)}" time="${t.seconds.toFixed(3)}"`;
+    if (t.passed) return `${open}>\n      <system-out>${escaped(t.message)}</system-out>\n    </testcase>`;
+    return `${open}>\n      <failure message="${escaped(t.message)}"/>\n    </testcase>`;
+  });
+  const counts = `tests="${tests.length}" failures="${failed}" errors="0" time="${seconds.toFixed(3)}"`;
+  return [
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    `<testsuites ${counts}>`,
+    `  <testsuite name="${escaped(system)}" ${counts}>`,
+    ...cases,
+    '  </testsuite>',
+    '</testsuites>',
+    '',
+  ].join('\n');
+}

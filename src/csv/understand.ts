@@ -14,7 +14,7 @@ export type { UnderstandOptions } from './meaning.ts';
 
 const MOST_PREVIEW = 20;
 /** Share of whole rows below which columns are taken to have times of their own. */
-const SPARSE = 0.2;
+const SPARSE = 0.05;
 /** Bytes by which a file is understood. */
 export const ENOUGH_TO_DECIDE = 65536;
 
@@ -109,7 +109,7 @@ function isSparse(columns: ImportPlan['columns'], { rows, decimal }: Layout): bo
   const whole = rows.filter((row) => needed.every((c) => there(row, c.index))).length;
   return (
     needed.length > 1 &&
-    rows.length > 3 &&
+    rows.length >= 10 &&
     whole < SPARSE * rows.length &&
     needed.every(({ index }) => {
       const filled = rows.filter((row) => !isMissing(row[index] ?? ''));

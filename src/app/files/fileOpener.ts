@@ -203,7 +203,8 @@ export class FileOpener {
     files.opened.emit({ name, file, choices });
   }
 
-  private remember(shape: string, choices: ImportChoices): void {
+  /** All but the run: another file of the shape holds others. */
+  private remember(shape: string, { run: _, ...choices }: ImportChoices): void {
     const { state, actions } = this.context.settings;
     actions.set('imports', remembering(state.imports.peek(), shape, choices));
   }

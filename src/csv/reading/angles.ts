@@ -9,10 +9,12 @@
 export function unwrap(x: Float64Array): number {
   const turn = 2 * Math.PI;
   let [low, high] = [Infinity, -Infinity];
-  for (const v of x) {
+  for (let i = 0; i < x.length; i++) {
+    const v = x[i]!;
     if (v < low) low = v;
     if (v > high) high = v;
   }
+  if (!(high - low > Math.PI)) return 0;
   const symmetric = low >= -Math.PI - 1e-3 && high <= Math.PI + 1e-3;
   const positive = low >= -1e-3 && high <= turn + 1e-3;
   if (!symmetric && !positive) return 0;

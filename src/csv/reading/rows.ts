@@ -18,6 +18,8 @@ export interface ColumnUse {
   needed: boolean;
 }
 
+/** What older C libraries print: `1.#QNAN`, `-1.#IND`, `1.#INF`; no remark behind a number. */
+const NO_NUMBER = /^[+-]?1\.#[a-z]+\d*$/i;
 /** Numbers held of one file: a gigabyte of memory. */
 export const MOST_NUMBERS = 128e6;
 
@@ -176,7 +178,9 @@ export class RowStore {
 
   /** Reads a row again without the `#` remark behind its numbers. */
   private retry(cells: readonly string[], line: number): boolean {
-    const at = cells.findIndex((cell) => cell.includes('#') && !isSpreadsheetError(cell.trim()));
+    const at = cells.findIndex(
+      (cell) => cell.includes('#') && !isSpreadsheetError(cell.trim()) && !NO_NUMBER.test(cell.trim()),
+    );
     if (at < 0) return false;
     this.seen--;
     this.row([...cells.slice(0, at), cells[at]!.slice(0, cells[at]!.indexOf('#'))], line);
@@ -206,7 +210,8 @@ function reasonFor(cell: string | undefined, count: number, width: number, decim
   if (text === '') return 'the cell is empty';
   const shown = `"${text.length > 24 ? `${text.slice(0, 23)}…` : text}"`;
   if (isSpreadsheetError(text)) return `${shown} is a spreadsheet's error: the cell has no value`;
-  if (/^[+-]?(inf(inity)?|∞)$/i.test(text) || Math.abs(+text) === Infinity) return `${shown} is not a finite number`;
+  if (/^[+-]?(inf(inity)?|∞)$/i.test(text) || /^[+-]?1\.#inf/i.test(text) || Math.abs(+text) === Infinity)
+    return `${shown} is not a finite number`;
   if (hasThousands(text)) return `${shown} has thousands separators; write the number without them`;
   if (!decimalComma && /^[+-]?\d+,\d+$/.test(text)) return `${shown} has a comma where the file has decimal points`;
   if (decimalComma && text.includes('.')) return `${shown} has a point where the file has decimal commas`;

@@ -104,7 +104,7 @@ function headingRatio(x: ArrayLike<number>, y: ArrayLike<number>, heading: Array
   let before = 0;
   for (let i = 1; i < x.length; i++) {
     const [dx, dy] = [x[i]! - x[last]!, y[i]! - y[last]!];
-    if (!(Math.hypot(dx, dy) >= far)) continue;
+    if (!(dx * dx + dy * dy >= far * far)) continue;
     const direction = Math.atan2(dy, dx);
     const middle = heading[(i + last) >> 1]!;
     if (turned === turned) {

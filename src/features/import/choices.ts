@@ -86,8 +86,8 @@ export function drafted(plan: ImportPlan, choices: ImportChoices, meta: SystemMe
       ...(name === null || role !== 'unused' ? {} : { role: 'coordinate' }),
     };
   });
-  const { encoding, separator, decimal, up, rates } = { ...plan, ...choices };
-  return { ...plan, encoding, separator, decimal, up, rates, system, columns };
+  const { encoding, separator, decimal, body, run, up, rates } = { ...plan, ...choices };
+  return { ...plan, encoding, separator, decimal, body, run, up, rates, system, columns };
 }
 
 /** Whether some column of this kind has no unit of its own, so that one for all of them says something. */

@@ -40,7 +40,7 @@ function Row({ column, meta }: { column: ColumnPlan; meta: SystemMeta | null }) 
       <th scope="row">{source}</th>
       <td>
         {role === 'attitude' ? (
-          words.quaternion
+          words.attitude
         ) : (
           <Select
             label={words.usedAsOf(source)}

@@ -168,6 +168,16 @@ describe('the view', () => {
     expect(readAgain.mock.calls).toEqual([[{ rates: 'savitzky-golay' }], [null]]);
   });
 
+  test('of several bodies and runs one is shown, and another is a choice away', () => {
+    const { app, readAgain } = withFile({ ...plan, bodies: ['board', 'cart'], body: 'board', runs: 3, run: 2 });
+    draw(<ImportTool />, { app });
+    expect(screen.getByTestId<HTMLSelectElement>('import-body').value).toBe('board');
+    expect(screen.getByTestId<HTMLSelectElement>('import-run').value).toBe('2');
+    choose('import-body', 'cart');
+    choose('import-run', '3');
+    expect(readAgain.mock.calls).toEqual([[{ body: 'cart' }], [{ run: 3 }]]);
+  });
+
   test('lengths are asked about only where one has no unit, nothing is taken back where nothing was chosen', () => {
     draw(<ImportTool />, withFile());
     expect(screen.queryByTestId('import-lengths')).toBeNull();

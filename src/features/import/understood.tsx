@@ -29,6 +29,7 @@ export function Understood({ plan, meta }: { plan: ImportPlan; meta: SystemMeta 
   return (
     <div class="import-fields">
       <SystemChoice plan={plan} change={change} />
+      <PartFields plan={plan} change={change} />
       <TimeFields plan={plan} change={change} />
       <UnitFields plan={plan} change={change} />
       {meta && meta.order !== 1 && (
@@ -60,6 +61,32 @@ function SystemChoice({ plan, change }: Part) {
   );
 }
 
+/** Which of several bodies, and of several runs. */
+function PartFields({ plan: { bodies, body, runs, run }, change }: Part) {
+  return (
+    <>
+      {bodies.length > 1 && (
+        <Choice
+          label={words.body}
+          testId="import-body"
+          value={body ?? ''}
+          options={bodies.map((id) => ({ id, label: id || words.unnamedBody }))}
+          onChange={(id) => change({ body: id })}
+        />
+      )}
+      {runs > 1 && (
+        <Choice
+          label={words.run}
+          testId="import-run"
+          value={String(run ?? 1)}
+          options={Array.from({ length: runs }, (_, i) => ({ id: String(i + 1), label: words.runOf(i + 1, runs) }))}
+          onChange={(id) => change({ run: Number(id) })}
+        />
+      )}
+    </>
+  );
+}
+
 function TimeFields({ plan, change }: Part) {
   const { time, columns } = plan;
   const read = time.columns.map((index) => columns[index]!.source);
@@ -77,7 +104,7 @@ function TimeFields({ plan, change }: Part) {
         onChange={(id) => change({ time: Number(id) === COUNTED ? null : columns[Number(id)]!.source })}
       />
       {read.length > 0 && time.form !== 'number' && <p class="hint">{words.timeIs(words.forms[time.form])}</p>}
-      {(time.form === 'number' || time.form === 'epoch') && (
+      {(time.form === 'number' || time.form === 'epoch') && time.columns.length === 1 && (
         <Choice
           label={words.timeUnit}
           testId="import-time-unit"

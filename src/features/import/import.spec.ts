@@ -106,6 +106,28 @@ test.describe('on a desk', () => {
     expect(watch.errors).toEqual([]);
   });
 
+  test('another body, another run, and data: a choice each, by keyboard', async ({ page }) => {
+    const watch = await openPage(page);
+    const line = (i: number, more = 0) => [i / 30 + more, i / 100, 0, 0, 5 + i / 50, 5, 1].join(',');
+    const once = Array.from({ length: 30 }, (_, i) => line(i));
+    const again = Array.from({ length: 60 }, (_, i) => line(i));
+    await drop(page, 'two.csv', ['t,a.x,a.y,a.theta,b.x,b.y,b.theta', ...once, ...again, ''].join('\n'));
+    await expect(endTime(page)).toHaveText(/^0\.967\s/);
+    await pause(page);
+    const first = await bodyOnStage(page);
+    await tabTo(page, 'how-read');
+    await page.keyboard.press('Enter');
+    await chooseByKeys(page, 'import-body', 'b');
+    await expect.poll(() => bodyOnStage(page)).not.toEqual(first);
+    await chooseByKeys(page, 'import-run', '2');
+    await expect(endTime(page)).toHaveText(/^1\.967\s/);
+    await expect(page.getByTestId('import-body')).toHaveValue('b');
+    await page.getByTestId('import-system').selectOption('');
+    await expect(page.getByTestId('no-scene')).toBeVisible();
+    await expect(page.getByTestId('import-run')).toHaveValue('2');
+    expect(watch.errors).toEqual([]);
+  });
+
   test('columns of no system are data, and become a system as they are given places', async ({ page }) => {
     const watch = await openWithoutScene(page);
     await drop(page, 'log.csv', log);

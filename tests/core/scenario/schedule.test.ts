@@ -239,6 +239,18 @@ describe('bounds', () => {
           'sin(t)+exp(-((t-A)/W)^2)',
           '0.001*exp(-((t-A)/W)^2)*cos((t-A)/W)',
           'tanh((t-A)/W)',
+          // Quotients of exponentials that leave doubles on one side of the pulse, or on both.
+          '2/(exp((t-A)/W)+exp(-(t-A)/W))',
+          '2*exp((t-A)/W)/(exp(2*(t-A)/W)+1)',
+          'exp(-(t-A)/W)/(1+exp(-(t-A)/W))^2',
+          'exp((t-A)/W)*(1+exp((t-A)/W))^(-2)',
+          '1/(1+exp(-(t-A)/W)) - 1/(1+exp(-(t-A)/W-2))',
+          'exp(-(t-A)/W)/(1+exp(-(t-A)/W)) - exp(-(t-A)/W-2)/(1+exp(-(t-A)/W-2))',
+          '4/(exp((t-A)/W)+exp(-(t-A)/W))^2',
+          '(exp((t-A)/W)-exp(-(t-A)/W))/(exp((t-A)/W)+exp(-(t-A)/W))^2',
+          'sinh((t-A)/W)/cosh((t-A)/W)^2',
+          'exp(-(t-A)/W-2*log(1+exp(-(t-A)/W)))',
+          '(exp((t-A)/W)-exp(-(t-A)/W))/(exp((t-A)/W)+exp(-(t-A)/W))',
         ),
         (at, exponent, shape) => {
           const width = 10 ** exponent;
@@ -257,6 +269,9 @@ describe('bounds', () => {
   it('quiet stretches cost little', () => {
     expect(walk('exp(-((t-5)/1e-4)^2)', 10).steps).toBeLessThan(80);
     expect(walk('10 deg/(1+exp(100*(t-1)))', 10, true).steps).toBeLessThan(150);
+    for (const share of ['exp(X)/(1+exp(X))', '(exp(X)-exp(-X))/(exp(X)+exp(-X))', '2*(3+exp(X))/(4+2*exp(X))'])
+      expect(walk(share.replaceAll('X', '((t-5)/1e-5)'), 10).steps, share).toBeLessThan(200);
+    expect(walk('(t+exp(t))/(1+exp(t))', 10).steps).toBeLessThan(60);
     expect(walk('sqrt(t)', 10).steps).toBeLessThan(60);
   });
 });

@@ -120,6 +120,22 @@ describe('inputs that act briefly', () => {
     for (const rate of rates) expect(Math.abs(rate - rates[0]!)).toBeLessThan(3e-7);
   });
 
+  test.each([
+    ['exp(-X)/(1+exp(-X))^2', 1],
+    ['2/(exp(X)+exp(-X))', Math.PI],
+    ['2*exp(X)/(exp(2*X)+1)', Math.PI],
+    ['1/(1+exp(-X)) - exp(X)/(exp(2)+exp(X))', 2],
+    ['1/cosh(X)^2', 2],
+  ])('a pulse of %s a millionth of a second wide, whose exponentials leave doubles', (shape, area) => {
+    const [at, width, size] = [3.21, 1e-6, 1e4];
+    const tau_phi = `${size}*(${shape.replaceAll('X', `((t-${at})/${width})`)})`;
+    for (const name of adaptive) {
+      const rate = endOf({ ...wheel, duration: 5, inputs: { tau_phi }, method: { name, rtol: 1e-8 } }).v[3]!;
+      // On the inertia 1 + 1. The argument itself is good to 1e-10: 3.21 / 1e-6 in doubles.
+      expect(Math.abs(rate / ((size * width * area) / 2) - 1), name).toBeLessThan(1e-6);
+    }
+  });
+
   test('a logistic reference goes on where its exponential has left the range of doubles', () => {
     const reference = { tau_fp: '10 deg/(1+exp(100*(t-1)))', tau_bp: '-10 deg/(1+exp(100*(t-1)))' };
     const { end, counts } = runOf({

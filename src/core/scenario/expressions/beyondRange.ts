@@ -111,6 +111,12 @@ export function dualBeyondRange(node: Node, t: number): { value: number; rate: n
   return { value: toDouble(x), rate: toDouble(dx) };
 }
 
+/** log |value| at t; NaN where there is none. */
+export function logarithmAt(node: Node, t: number): number {
+  const { x } = dual(node, t);
+  return signOf(x) === 0 ? -Infinity : toDouble(logOf(x));
+}
+
 function dual(node: Node, t: number): Dual {
   if (node.op === 'number') return { x: node.x, dx: 0 };
   if (node.op === 't') return { x: t, dx: 1 };

@@ -1,5 +1,7 @@
 import { closuresOf, type Closures } from './closures.ts';
 import { add, bound, divide, multiply } from './intervals.ts';
+import { logarithmAt } from './beyondRange.ts';
+import { Magnitude } from './magnitude.ts';
 import {
   constant,
   copy,
@@ -8,20 +10,22 @@ import {
   newSeries,
   quotient,
   quotientBy,
-  fromRelative,
-  relativePower,
-  relativeTo,
   scaled,
-  share,
   sum,
   times,
   type Series,
 } from './series.ts';
-import { angle, hypotenuse, power, powerOf, relativeCosh, relativeExp, unarySeries } from './seriesFunctions.ts';
+import { angle, hypotenuse, power, powerOf, unarySeries } from './seriesFunctions.ts';
 import { decide, type Node } from './tree.ts';
 
-/** Only its first coefficient is asked for. */
-const ONE = constant(1, newSeries(0));
+/** What brings numbers beyond doubles back. */
+const extremes: ReadonlySet<string> = new Set(['*', '/', '^', 'pow', 'log', 'ln']);
+const LARGE = 1e100;
+/** So large, or so small without being 0, that the next product may leave doubles. */
+const isExtreme = ({ lo, hi }: Series): boolean => {
+  const size = Math.max(Math.abs(lo[0]!), Math.abs(hi[0]!));
+  return size > LARGE || (size < 1 / LARGE && size > 0);
+};
 
 /** A switch that an interval leaves open. */
 export interface Open {
@@ -57,11 +61,12 @@ export class Enclosure {
   readonly series: Series;
   /** No switch below is open, so that the coefficients of order 1 and up are those of a smooth function. */
   smooth = true;
-  private readonly parts: readonly Enclosure[];
+  readonly parts: readonly Enclosure[];
   private readonly points: Closures;
   /** What decides a switch, and work space. */
   private readonly gap: Series;
   private readonly work: Series;
+  private sizes?: Magnitude;
 
   /** @param order highest derivative */
   constructor(node: Node, order: number) {
@@ -89,11 +94,14 @@ export class Enclosure {
     this.smooth = parts.every((p) => p.smooth);
     const one = unarySeries.get(node.op);
     if (one) one(u, series);
-    else if (node.op === '^' || node.op === 'pow') this.raised(u, v);
-    else if (node.op === '*' && node.args[0]!.constant) scaled(v, u.lo[0]!, series);
+    else if (node.op === '^' || node.op === 'pow') {
+      if (node.args[1]!.constant) power(u, v.lo[0]!, series);
+      else powerOf(u, v, series);
+    } else if (node.op === '*' && node.args[0]!.constant) scaled(v, u.lo[0]!, series);
     else if (node.op === '*' && node.args[0] === node.args[1]) power(u, 2, series);
-    else if (node.op === '/') quotientBy(u, v, parts[1]!.relative(), series);
+    else if (node.op === '/') quotientBy(u, v, parts[1]!.magnitude().relative, series);
     else binarySeries[node.op]!(u, v, series);
+    this.throughLogarithms(look);
     return series;
   }
 
@@ -103,32 +111,21 @@ export class Enclosure {
     return decide(this.node.op)!(a!.points.value(t), b ? b.points.value(t) : 0);
   }
 
-  /** After `over`: the coefficients beside the first one, narrow also where sums of exponentials are large. */
-  private relative(): Series {
-    const { node, parts, series, work, gap } = this;
-    const [a, b] = parts;
-    if (node.constant) relativeTo(series, work);
-    else if (node.op === 'exp') relativeExp(a!.series, work);
-    else if (node.op === 'cosh') relativeCosh(a!.series, work);
-    else if (node.op === '*') times(a!.relative(), b!.relative(), work);
-    else if (node.op === '/') quotientBy(a!.relative(), ONE, b!.relative(), work);
-    else if (node.op === '^' && b!.node.constant) relativePower(a!.relative(), b!.series.lo[0]!, work);
-    else if (node.op === '+' && a!.series.lo[0]! > 0 && b!.series.lo[0]! > 0) {
-      share(a!.series, a!.relative(), b!.series, gap);
-      share(b!.series, b!.relative(), a!.series, work);
-      sum(gap, work, work);
-      work.lo[0] = work.hi[0] = 1;
-    } else relativeTo(series, work);
-    return work;
+  /** After `over`: what is known of it in logarithms. */
+  magnitude(): Magnitude {
+    return (this.sizes ??= new Magnitude(this)).look();
   }
 
-  private raised(u: Series, v: Series): void {
-    const [, exponent] = this.node.args;
-    const p = v.lo[0]!;
-    if (exponent!.constant && p < 0 && u.lo[0]! > 0)
-      fromRelative(this.relative(), u.hi[0]! ** p * (1 - POINT), u.lo[0]! ** p * (1 + POINT), this.series);
-    else if (exponent!.constant) power(u, p, this.series);
-    else powerOf(u, v, this.series);
+  /** Narrows what divides, and a product or logarithm of what is beyond doubles, or nearly. */
+  private throughLogarithms({ a, b }: Look): void {
+    const { node, parts, series } = this;
+    const { op } = node;
+    const divides = op === '/' || ((op === '^' || op === 'pow') && parts[1]!.series.hi[0]! < 0);
+    const extreme = parts.some((p) => isExtreme(p.series)) && extremes.has(op);
+    if (!divides && !extreme) return;
+    if (op === 'log' || op === 'ln') return parts[0]!.magnitude().logarithm(series);
+    const middle = extreme ? logarithmAt(node, a + (b - a) / 2) : NaN;
+    this.magnitude().narrow(series, middle, (b - a) * 0.5000001);
   }
 
   private switched(look: Look): Series {

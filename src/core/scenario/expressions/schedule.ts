@@ -1,4 +1,5 @@
 import type { CompiledExpression } from '../expressions.ts';
+import { addendsOf } from './addends.ts';
 import { Enclosure, type Look, type Open } from './enclosure.ts';
 import { beside, Pace, type PaceOptions } from './pace.ts';
 import { switchesOf, type Node } from './tree.ts';
@@ -148,16 +149,6 @@ export class Schedule {
     this.points.set(s, point);
     return point;
   }
-}
-
-/** The parts of a sum that depend on t, each without its constant factors. */
-function addendsOf(node: Node): Node[] {
-  if (node.constant) return [];
-  const [a, b] = node.args;
-  if (node.op === '+' || node.op === '-') return [...addendsOf(a!), ...addendsOf(b!)];
-  if (node.op === 'negative' || (node.op === '/' && b!.constant)) return addendsOf(a!);
-  if (node.op === '*' && (a!.constant || b!.constant)) return addendsOf(a!.constant ? b! : a!);
-  return node.op === 't' ? [] : [node];
 }
 
 /** The first double in (a, b] whose decision is not that at a; Infinity where b decides as a does. */

@@ -118,24 +118,6 @@ export function relativePower(relative: Series, p: number, out: Series): void {
   }
 }
 
-/** A series from its first coefficient and those beside it. */
-export function fromRelative(relative: Series, lo: number, hi: number, out: Series): void {
-  for (let k = 0; k < out.lo.length; k++) {
-    multiply(relative.lo[k]!, relative.hi[k]!, lo, hi);
-    put(out, k);
-  }
-}
-
-/** The coefficients of u > 0 beside those of u + v, v > 0: a share of them between 0 and 1. */
-export function share(u: Series, relative: Series, v: Series, out: Series): void {
-  const least = u.lo[0]! / (u.lo[0]! + v.hi[0]!);
-  const most = u.hi[0]! < Infinity ? u.hi[0]! / (u.hi[0]! + v.lo[0]!) : 1;
-  for (let k = 0; k < out.lo.length; k++) {
-    multiply(relative.lo[k]!, relative.hi[k]!, least >= 0 ? least * (1 - 1e-15) : 0, Math.min(1, most * (1 + 1e-15)));
-    put(out, k);
-  }
-}
-
 /** Coefficients from k = 1 on of f with f' = g u' (g in `slope`, whose coefficients may be made on the way). */
 export function integrate(u: Series, slope: Series, out: Series, k: number, sign = 1): void {
   from(0, 0);

@@ -31,14 +31,16 @@ export const relativeExp: Unary = (u, out) => {
   for (let k = 1; k < out.lo.length; k++) integrate(u, out, out, k);
 };
 
-/** cosh(u) beside its first coefficient, with sinh(u) beside the same. */
-export const relativeCosh: Unary = (u, out) => {
-  const s = scratch(out);
+/** cosh(u) or sinh(u) beside its first coefficient, with the other beside the same. Of sinh for u other than 0. */
+export function relativeHyperbolic(op: 'cosh' | 'sinh', u: Series, out: Series): void {
+  const other = scratch(out);
   rising(Math.tanh, u.lo[0]!, u.hi[0]!);
-  put(s, 0);
+  if (op === 'sinh') divide(1, 1, bound.lo, bound.hi);
+  put(other, 0);
   out.lo[0] = out.hi[0] = 1;
-  pair(u, s, out, 1);
-};
+  if (op === 'cosh') pair(u, other, out, 1);
+  else pair(u, out, other, 1);
+}
 
 const exp: Unary = (u, out) => {
   rising(Math.exp, u.lo[0]!, u.hi[0]!);

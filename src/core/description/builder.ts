@@ -47,6 +47,7 @@ export class Builder implements Scope {
       p: [],
       clock: null,
       kinetic: zero,
+      inertia: zero,
       potential: zero,
       loss: zero,
       forces: [],
@@ -358,7 +359,7 @@ export class Builder implements Scope {
     if (model.mechanical) {
       for (const [at, { value, line }] of model.rates) {
         const v = model.v[at]!;
-        model.kinetic = graph.add(model.kinetic, graph.mul(graph.number(WEIGHTLESS / 2), graph.square(v)));
+        model.inertia = graph.add(model.inertia, graph.mul(graph.number(WEIGHTLESS / 2), graph.square(v)));
         this.driven.set(at, {
           velocity: graph.sub(v, value),
           height: null,
@@ -450,7 +451,7 @@ export class Builder implements Scope {
     model.lines.push(0);
     model.q.push(clock.q);
     model.v.push(clock.v);
-    if (model.mechanical) model.kinetic = graph.add(model.kinetic, graph.mul(graph.number(0.5), graph.square(clock.v)));
+    if (model.mechanical) model.inertia = graph.add(model.inertia, graph.mul(graph.number(0.5), graph.square(clock.v)));
     else model.rates.set(model.clock, { value: graph.one, line: 0 });
   }
 }

@@ -23,7 +23,7 @@ export function equationsOf(model: Model, step: (done: number, of: number) => vo
   const n = q.length;
   const total = n + 2;
   graph.work = 'the Lagrangian';
-  const L = graph.sub(model.kinetic, model.potential);
+  const L = graph.sub(graph.add(model.kinetic, model.inertia), model.potential);
   const momenta = graph.gradient(L, v);
   const slopes = graph.gradient(L, q);
   step(1, total);

@@ -11,7 +11,7 @@ import type { ConstraintSet, DirectDynamics } from '../model/system.ts';
 import type { Op, Tape } from '../model/tape.ts';
 import { DEPENDENT } from '../linalg/saddle.ts';
 import type { Equations } from './derive.ts';
-import { code, type Graph, type Id } from './graph.ts';
+import { code, GrowthError, type Graph, type Id } from './graph.ts';
 import type { Model } from './model.ts';
 import { needed, opOf, Program, type Call } from './program.ts';
 
@@ -88,6 +88,15 @@ function sparsestFirst(graph: Graph, M: readonly Id[], n: number): number[] {
 
 /** Nothing where a clock is held, or where one line of operations would be too long. */
 export function directOf(model: Model, equations: Equations, k: number): Pick<ConstraintSet, 'direct'> {
+  try {
+    return short(model, equations, k);
+  } catch (error) {
+    if (error instanceof GrowthError) return {};
+    throw error;
+  }
+}
+
+function short(model: Model, equations: Equations, k: number): Pick<ConstraintSet, 'direct'> {
   const { graph, q } = model;
   if (model.clock !== null) return {};
   const n = q.length;

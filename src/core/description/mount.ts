@@ -5,7 +5,11 @@ import { equationsOf, jacobianOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
 import type { Id } from './graph.ts';
 import type { Model, SetModel } from './model.ts';
-import { Program, type Arrays, type Call } from './program.ts';
+import { needed, Program, type Arrays, type Call } from './program.ts';
+import { tangentsOf } from './tangents.ts';
+
+/** Operations times variables up to which Jacobians are a graph of their own. */
+const MOST_WORK = 250_000;
 
 /** What the page needs of a description to show a motion of it. @param id of the system, unique to its text @throws DescriptionError */
 export function viewOf(model: Model, id: string, text: string): SystemView {
@@ -76,23 +80,22 @@ export interface DeriveOptions {
  */
 export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions = {}): System {
   const { graph, q, v, p } = model;
-  const n = q.length;
   const at = { q, v, p };
   if (!model.mechanical) return firstOrderSystem(model, view);
   const equations = equationsOf(model, step);
   checkEquations(model, equations);
   const { M, h } = equations;
   const mechanics = lazy(model, () => [at, { M, h }]);
-  const a = Array.from({ length: n }, () => graph.input());
-  const jacobians = lazy(model, () => {
-    const residual = residualOf(model, equations, a);
+  const a = Array.from(q, () => graph.input());
+  const jacobians = slopes(model, { q, v, a, p }, () => {
+    const of = residualOf(model, equations, a);
     return [
-      { q, v, a, p },
-      { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) },
+      { of, by: 'q' },
+      { of, by: 'v' },
     ];
   });
-  const energy = lazy(model, () => [at, { out: [clockless(model), model.potential] }]);
-  const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
+  const energy = lazy(model, () => [at, { out: [model.kinetic, model.potential] }]);
+  const poseJacobian = slopes(model, { q, p }, () => [{ of: posesOf(model), by: 'q' }]);
   return {
     ...view,
     mechanics: (...all) => mechanics(...all),
@@ -121,16 +124,39 @@ function residualOf({ graph, q }: Model, { M, h }: Equations, a: readonly Id[]):
   return h.map((x, i) => graph.sub(graph.sum(a.map((aj, j) => graph.mul(M[i * n + j]!, aj))), x));
 }
 
-/** The kinetic energy without what stands for the clock and for coordinates of first order. */
-function clockless(model: Model): Id {
-  const { graph, v } = model;
-  const still = [...model.rates.keys(), ...(model.clock === null ? [] : [model.clock])];
-  const half = graph.number(0.5);
-  const spurious = still.map((i) => {
-    const weight = i === model.clock ? graph.one : graph.number(2 ** -80);
-    return graph.mul(graph.mul(half, weight), graph.square(v[i]!));
-  });
-  return graph.sub(model.kinetic, graph.sum(spurious));
+/**
+ * Derivatives of results by some of the inputs, row by row: as a graph of their own, compiled like any other function, or by
+ * sweeps over the tape of the results where that graph would be too long.
+ */
+function slopes(
+  model: Model,
+  inputs: Arrays,
+  parts: () => readonly { of: readonly Id[]; by: string }[],
+): (...arrays: Float64Array[]) => void {
+  const { graph } = model;
+  let calls: { call: Call; outputs: number }[] | null = null;
+  const names = Object.keys(inputs);
+  const make = (): NonNullable<typeof calls> => {
+    const all = parts();
+    const given = new Map(Object.values(inputs).flatMap((ids) => ids.map((id) => [id, true])));
+    const work = all.map(({ of, by }) => needed(graph, of, given).length * inputs[by]!.length);
+    if (work.reduce((sum, x) => sum + x, 0) > MOST_WORK)
+      return all.map(({ of, by }) => ({
+        call: tangentsOf(new Program(graph, inputs, { of }), [names.indexOf(by)]),
+        outputs: 1,
+      }));
+    graph.work = 'the Jacobians';
+    const made = Object.fromEntries(all.map(({ of, by }, k) => [k, jacobianOf(graph, of, inputs[by]!)]));
+    return [{ call: new Program(graph, inputs, made).tiered(), outputs: all.length }];
+  };
+  return (...arrays) => {
+    calls ??= make();
+    let out = names.length;
+    for (const { call, outputs } of calls) {
+      call(...arrays.slice(0, names.length), ...arrays.slice(out, out + outputs));
+      out += outputs;
+    }
+  };
 }
 
 function constraintSet(
@@ -148,18 +174,14 @@ function constraintSet(
   const dynamics = lazy(model, () => [at, { M: equations.M, h: equations.h, omega, gamma }]);
   const lambda = Array.from({ length: m }, () => graph.input());
   const n = q.length;
-  const jacobians = lazy(model, () => {
+  const jacobians = slopes(model, { q, v, a, lambda, p }, () => {
     const force = q.map((_, i) => graph.sum(lambda.map((l, r) => graph.mul(l, omega[r * n + i]!))));
     const rate = gamma.map((g, r) => graph.add(g, graph.sum(a.map((x, i) => graph.mul(omega[r * n + i]!, x)))));
-    const velocities = rows.map((row) => row.velocity);
     return [
-      { q, v, a, lambda, p },
-      {
-        forceQ: jacobianOf(graph, force, q),
-        rateQ: jacobianOf(graph, rate, q),
-        rateV: jacobianOf(graph, rate, v),
-        velocityQ: jacobianOf(graph, velocities, q),
-      },
+      { of: force, by: 'q' },
+      { of: rate, by: 'q' },
+      { of: rate, by: 'v' },
+      { of: rows.map((row) => row.velocity), by: 'q' },
     ];
   });
   const { contact } = meta.constraintSets.find((set) => set.id === id)!;
@@ -201,7 +223,7 @@ function firstOrderSystem(model: Model, view: SystemView): System {
       { dq: jacobianOf(graph, residual, q), dv: jacobianOf(graph, residual, v) },
     ];
   });
-  const poseJacobian = lazy(model, () => [{ q, p }, { out: jacobianOf(graph, posesOf(model), q) }]);
+  const poseJacobian = slopes(model, { q, p }, () => [{ of: posesOf(model), by: 'q' }]);
   return {
     ...view,
     mechanics: (...all) => mechanics(...all),

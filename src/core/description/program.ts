@@ -22,13 +22,16 @@ export type Call = (...arrays: Float64Array[]) => void;
 
 export class Program {
   readonly operations: number;
-  private readonly inputs: readonly Id[][];
+  readonly inputs: readonly Id[][];
   private readonly outputs: readonly Id[][];
   private readonly graph: Graph;
   private readonly order: readonly Id[];
-  private readonly tape: Int32Array;
-  private readonly memory: Float64Array;
-  private readonly places: Int32Array[];
+  /** Operation, place of the result, places of its operands; five numbers each. */
+  readonly tape: Int32Array;
+  /** Inputs in their order, then numbers and results. */
+  readonly memory: Float64Array;
+  /** Of each output. */
+  readonly places: readonly Int32Array[];
 
   constructor(graph: Graph, inputs: Arrays, outputs: Arrays) {
     this.graph = graph;
@@ -175,36 +178,30 @@ export function needed(graph: Graph, wanted: readonly Id[], given: ReadonlyMap<I
 }
 
 function interpret(tape: Int32Array, m: Float64Array): void {
-  for (let k = 0; k < tape.length; k += 5) {
-    const a = m[tape[k + 2]!]!;
-    const b = m[tape[k + 3]!]!;
-    let x: number;
-    switch (tape[k]) {
-      case code.add:
-        x = a + b;
-        break;
-      case code.sub:
-        x = a - b;
-        break;
-      case code.mul:
-        x = a * b;
-        break;
-      case code.div:
-        x = a / b;
-        break;
-      case code.neg:
-        x = -a;
-        break;
-      case code.sin:
-        x = sine(a);
-        break;
-      case code.cos:
-        x = cosine(a);
-        break;
-      default:
-        x = seldom(tape[k]!, a, b, m[tape[k + 4]!]!);
-    }
-    m[tape[k + 1]!] = x;
+  for (let k = 0; k < tape.length; k += 5) m[tape[k + 1]!] = evaluateOne(tape, k, m);
+}
+
+/** The result of the operation that begins at k. */
+export function evaluateOne(tape: Int32Array, k: number, m: Float64Array): number {
+  const a = m[tape[k + 2]!]!;
+  const b = m[tape[k + 3]!]!;
+  switch (tape[k]) {
+    case code.add:
+      return a + b;
+    case code.sub:
+      return a - b;
+    case code.mul:
+      return a * b;
+    case code.div:
+      return a / b;
+    case code.neg:
+      return -a;
+    case code.sin:
+      return sine(a);
+    case code.cos:
+      return cosine(a);
+    default:
+      return seldom(tape[k]!, a, b, m[tape[k + 4]!]!);
   }
 }
 

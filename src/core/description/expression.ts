@@ -54,6 +54,8 @@ const SIGNS = new Map([
   ['*', 4],
   ['/', 4],
 ]);
+/** Level of the comparisons. */
+const COMPARISON = 2;
 /** Parts of one expression. */
 const MOST_PARTS = 2000;
 
@@ -165,6 +167,8 @@ export class Reader {
   private binary(least: number): Value {
     if (++this.depth > MOST_DEPTH) this.fail(`this is nested deeper than ${MOST_DEPTH}`);
     let left = this.signed();
+    /** Right side of the comparison that `left` is, for the next in a chain a < b < c: all of them hold. */
+    let middle: Value | null = null;
     for (;;) {
       const token = this.next;
       if (!token || this.stops.has(token.text)) break;
@@ -179,8 +183,14 @@ export class Reader {
       }
       if (level < least) break;
       this.at++;
-      if (token.text === '?') left = this.choice(left, token);
-      else left = this.operate(token, left, this.binary(level + 1));
+      if (token.text === '?') {
+        left = this.choice(left, token);
+        continue;
+      }
+      const right = this.binary(level + 1);
+      const made = this.operate(token, middle && level === COMPARISON ? middle : left, right);
+      left = middle && level === COMPARISON ? this.product(left, made, token) : made;
+      middle = level === COMPARISON ? right : null;
     }
     this.depth--;
     return left;

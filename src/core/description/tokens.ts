@@ -48,7 +48,7 @@ const SPELLINGS = new Map([
 const RAISED = new Map([...'⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻'].map((raised, i) => [raised, '0123456789+-'[i]!]));
 const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?['’′]?/y;
 const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
-const SIGN = /<=|>=|==|!=|[-+*/^<>?:(),=]/y;
+const SIGN = /\*\*|<=|>=|==|!=|[-+*/^<>?:(),=]/y;
 
 /** The tokens of one line; a "#" outside a text begins a comment. @throws DescriptionError */
 export function tokensOf(text: string, line: number): LineToken[] {
@@ -104,7 +104,7 @@ export function tokensOf(text: string, line: number): LineToken[] {
     const sign = word || number ? null : found(SIGN, at);
     if (word) put('name', word.replace(/[’′]$/, "'"), word.length);
     else if (number) put('number', number);
-    else if (sign) put('sign', sign);
+    else if (sign) put('sign', sign === '**' ? '^' : sign, sign.length);
     else if (letter === '%') refuse('"%" is not understood; a comment begins with #, a remainder is mod(a, b)', at);
     else if (letter === ';') refuse('one statement a line: begin a new line in place of ";"', at);
     else if (letter === '.') refuse('a "." stands within a number, or between a name and x, y or z', at);

@@ -3,7 +3,7 @@ import type { App } from './app.ts';
 import { Autosave } from './persistence/autosave.ts';
 import { browserStorage } from './persistence/browserStorage.ts';
 import { workOf, type Work } from './persistence/savedWork.ts';
-import { systemViews } from '../core/systems/registry.ts';
+import { learnSystem, systemViews } from '../core/systems/registry.ts';
 import { systemMetas } from './store.ts';
 
 export interface Startup {
@@ -15,8 +15,10 @@ export interface Startup {
 /** Puts the last work back at once, so that the first picture has its theme and panel. */
 export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
   const autosave = new Autosave(app, browserStorage, systemMetas, toolIds);
-  const last = autosave.restore();
-  autosave.watch();
+  // An own system is read first, which takes what is not loaded yet.
+  const own = autosave.descriptions;
+  let last = own.length > 0 ? null : autosave.restore();
+  if (own.length === 0) autosave.watch();
   const openLink = async (before: Work | null): Promise<boolean> => {
     const links = await import('./persistence/links.ts');
     return links.openLink(app, autosave, systemMetas, toolIds, before);
@@ -24,6 +26,12 @@ export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
   return {
     autosave,
     async begin() {
+      if (own.length > 0) {
+        // One that can't be read any more is told by `restore`, like all that can't be used.
+        for (const text of own) await learnSystem(text).catch(() => {});
+        last = autosave.restore();
+        autosave.watch();
+      }
       addEventListener('hashchange', () => {
         if (namesLink()) void openLink(autosave.suspendedWork ?? workOf(app.state));
       });

@@ -1,5 +1,6 @@
 import type { Compute } from '../compute/client/compute.ts';
 import { ScenarioError } from '../core/scenario/types.ts';
+import { written } from '../core/scenario/own.ts';
 import { systemMetas, systemViews } from '../core/systems/registry.ts';
 import type { App, AppActions, AppState } from './app.ts';
 import { CsvExport } from './files/csvExport.ts';
@@ -204,7 +205,12 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     readAgain: (change) => void files.readAgain(change),
     exportCsv: () => void csvExport.write(),
     cancelWriting: () => csvExport.cancel(),
-    saveScenario: () => download('scenario.json', [`${JSON.stringify(draft.peek(), null, 2)}\n`], 'application/json'),
+    saveScenario: () =>
+      download(
+        'scenario.json',
+        [`${JSON.stringify(written(draft.peek(), systemMetas), null, 2)}\n`],
+        'application/json',
+      ),
     compare: (contenders, scenario) => comparison.start(scenario ?? draft.peek(), contenders, systemMetas),
     compareRun: () => trust.compare(),
     showMotion: (motion) => runs.show(motion),

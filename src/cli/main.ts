@@ -1,9 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { StartError } from '../core/mechanics/consistentStart.ts';
-import { cases, learnSystemOf, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
+import { cases, learnSystemIn, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
 import { computerReport } from '../core/control/sampled/computerReport.ts';
-import { LONGEST_FILE } from '../core/scenario/defaults.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
@@ -42,23 +41,9 @@ async function readScenario(
       `${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`,
     );
   }
-  const scenario = await readFrom(text);
+  await learnSystemIn(text);
+  const scenario = parseScenario(text, metas);
   return { scenario, written: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };
-}
-
-/** Reads the description first, where the scenario holds one. */
-async function readFrom(text: string): Promise<Scenario> {
-  if (text.length <= LONGEST_FILE && /"description"/.test(text)) await learnSystemOf(parsed(text));
-  return parseScenario(text, metas);
-}
-
-/** JSON, or null for what is none: its fault is told when the scenario is read. */
-function parsed(text: string): unknown {
-  try {
-    return JSON.parse(text.replace(/^\ufeff/, ''));
-  } catch {
-    return null;
-  }
 }
 
 function listCases(id: string | undefined): void {

@@ -2,6 +2,8 @@ import { closeSync, createReadStream, openSync, readSync, fstatSync, realpathSyn
 import { basename } from 'node:path';
 import { Readable } from 'node:stream';
 import type { SystemMeta } from '../core/model/system.ts';
+import { systemNamed } from '../core/scenario/own.ts';
+import { learnSystemOf } from '../core/systems/registry.ts';
 import { csvHeader, csvRows, type CsvResult } from '../csv/csv.ts';
 import type { ColumnPlan, ImportChoices } from '../csv/plan.ts';
 import { ENDING, readStream, scenarioIn, type Bytes } from '../csv/reading/stream.ts';
@@ -78,7 +80,9 @@ async function readFile(
     const ending = Buffer.alloc(Math.min(ENDING, status.size));
     if (status.isFile()) readSync(descriptor, ending, 0, ending.length, status.size - ending.length);
     const stream = Readable.toWeb(createReadStream(file)) as unknown as Bytes;
-    const preferred = scenarioIn(ending);
+    const scenario = scenarioIn(ending);
+    await learnSystemOf(scenario).catch(() => {});
+    const preferred = systemNamed(scenario);
     return await readStream(stream, { systems, choices, data: true, unasked: true, size: status.size, preferred });
   } finally {
     closeSync(descriptor);

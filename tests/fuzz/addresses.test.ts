@@ -26,7 +26,7 @@ describe('links', () => {
         time: 0.5,
         plots: { own: { key: 'a', panes: [] } },
       },
-      { cases },
+      { cases, systems },
     ),
   );
   const entry = fc

@@ -1,3 +1,5 @@
+import { written } from '../../core/scenario/own.ts';
+import { systemMetas } from '../../core/systems/registry.ts';
 import type { CsvClient } from '../../compute/client/csvClient.ts';
 import { download } from './download.ts';
 import { pushComments } from '../push/pushRecorder.ts';
@@ -41,7 +43,7 @@ export class CsvExport {
     }.csv`;
     const comments = motion.scenario
       ? [
-          `scenario: ${JSON.stringify(motion.written ?? motion.scenario)}`,
+          `scenario: ${JSON.stringify(written(motion.written ?? motion.scenario, systemMetas))}`,
           ...(motion.engine ? [`engine: ${motion.engine}`] : []),
           ...pushComments(motion),
           ...trustComments(stage.trust.peek()),

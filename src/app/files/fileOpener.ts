@@ -1,10 +1,11 @@
 import { modelsOf } from '../../core/model/system.ts';
+import { settled } from '../../core/scenario/own.ts';
 import { parseScenario } from '../../core/scenario/schema.ts';
 import type { SystemMeta, SystemView } from '../../core/model/system.ts';
 import { dataView } from '../../core/motion/dataView.ts';
 import type { ImportChoices, Question } from '../../csv/plan.ts';
 import type { Kind } from '../../csv/units/units.ts';
-import { systemViews } from '../../core/systems/registry.ts';
+import { learnSystemIn, learnSystemOf, systemViews } from '../../core/systems/registry.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
@@ -130,16 +131,17 @@ export class FileOpener {
         throw new Error(
           `${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`,
         );
-      if (isScenario) this.readScenario(name, await file.text());
+      if (isScenario) await this.readScenario(name, await file.text());
       else await this.readTable(name, file, choices);
     } catch (error) {
       this.fail(name, [messageOf(error)]);
     }
   }
 
-  private readScenario(name: string, text: string): void {
+  private async readScenario(name: string, text: string): Promise<void> {
+    await learnSystemIn(text);
     parseScenario(text, this.context.metas);
-    const scenario = JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile;
+    const scenario = settled(JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile);
     this.context.messages.report('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
     this.context.openScenario(ownCase(name.replace(/\.json$/i, ''), scenario), scenario);
   }
@@ -198,6 +200,8 @@ export class FileOpener {
       return;
     }
     files.actions.setRefusedReading(null);
+    // The worker has read its system, where the file brings one; here it is read for the stage.
+    if (result.systemId !== null && !systemViews[result.systemId]) await learnSystemOf(result.scenario);
     this.showMotion({ name, file, choices }, result, reading, shown);
     this.remember(result.plan.shape, choices);
     files.opened.emit({ name, file, choices });
@@ -231,7 +235,7 @@ export class FileOpener {
       trajectory,
       constraints: scenario?.constraints ?? null,
       scenario,
-      written: scenario ? (result.scenario as ScenarioFile) : null,
+      written: scenario ? settled(result.scenario as ScenarioFile) : null,
       adjustments: [],
       issues: [...notes, ...result.issues],
       marks: [],

@@ -9,7 +9,7 @@ import { settingValues } from '../state/settings.ts';
 import { SETTINGS, settingIds, type SettingValues } from '../state/settingsTable.ts';
 import { text } from '../words.ts';
 import type { BrowserStorage } from './browserStorage.ts';
-import { fromText, toText, workOf, type SavedState, type Work } from './savedWork.ts';
+import { descriptionsIn, fromText, toText, workOf, type SavedState, type Work } from './savedWork.ts';
 
 /** Writing waits for this long (ms), so that dragging a number writes once. */
 const CALM = 400;
@@ -52,6 +52,12 @@ export class Autosave {
     this.storage = storage;
     this.systems = systems;
     this.toolIds = toolIds;
+  }
+
+  /** Descriptions in what was stored, which have to be read before `restore`. */
+  get descriptions(): string[] {
+    const stored = this.storage.text(WORK);
+    return stored === null ? [] : descriptionsIn(stored);
   }
 
   /** Puts back what was stored. What can't be used is said and left where it is until something is edited. */

@@ -4,7 +4,9 @@ import type { SystemView } from '../../core/model/system.ts';
 import type { App } from '../app.ts';
 import { text } from '../words.ts';
 import type { BrowserStorage } from './browserStorage.ts';
-import { LARGEST_SAVED_RUNS, runsFrom, storedRuns, sweepFrom } from './savedRuns.ts';
+import { written } from '../../core/scenario/own.ts';
+import { learnSystemOf, systemMetas } from '../../core/systems/registry.ts';
+import { LARGEST_SAVED_RUNS, runsFrom, storedRuns, sweepFrom, type StoredRun, type StoredSweep } from './savedRuns.ts';
 
 /** Names in the browser's storage: permanent. */
 const RUNS = 'pinned';
@@ -18,6 +20,12 @@ type Views = Readonly<Record<string, SystemView>>;
 /** Puts back what was stored, then stores every change. */
 export async function keepRuns(app: App, storage: BrowserStorage, views: Views): Promise<void> {
   const [runs, sweep] = await Promise.all([storage.large(RUNS), storage.large(SWEEP)]);
+  const scenarios = [
+    ...(Array.isArray(runs) ? (runs as StoredRun[]).map((run) => run?.motion?.written) : []),
+    (sweep as StoredSweep | undefined)?.plan?.file,
+  ];
+  // A description that can't be read leaves out what was run with it.
+  for (const scenario of scenarios) await learnSystemOf(scenario).catch(() => {});
   app.pinned.restore(runsFrom(runs, views));
   try {
     const metas = Object.fromEntries(Object.entries(views).map(([id, { meta }]) => [id, meta]));
@@ -55,7 +63,10 @@ function watchSweep({ sweep }: App, storage: BrowserStorage): void {
   const write = (): void => {
     timer = null;
     const plan = sweep.plan.peek();
-    void storage.putLarge(SWEEP, plan && { plan, results: [...sweep.results] });
+    void storage.putLarge(
+      SWEEP,
+      plan && { plan: { ...plan, file: written(plan.file, systemMetas) }, results: [...sweep.results] },
+    );
   };
   effect(() => {
     void sweep.version.value;

@@ -1,6 +1,15 @@
 /** Links to what is in the panel, made and opened. Loaded when a link is asked for or opened with. */
 import { effect } from '@preact/signals';
-import { decodeLink, encodeLink, LinkError, type LinkContent, type OpenedLink } from '../../core/scenario/link.ts';
+import {
+  decodeLink,
+  descriptionInLink,
+  encodeLink,
+  LinkError,
+  type LinkContent,
+  type OpenedLink,
+} from '../../core/scenario/link.ts';
+import { ScenarioError } from '../../core/scenario/types.ts';
+import { learnSystem, systemMetas } from '../../core/systems/registry.ts';
 import { difference } from '../../core/scenario/patch.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { shareText as text } from '../words.ts';
@@ -31,22 +40,24 @@ export function linkOf(app: App): string {
       ? { time: Math.round(time * 1e6) / 1e6 }
       : {}),
   };
-  return encodeLink(content, app);
+  return encodeLink(content, { cases: app.cases, systems: systemMetas });
 }
 
 /** Opens the address's link; a bad one is told and leaves everything as it is. Says whether it opened. */
-export function openLink(
+export async function openLink(
   app: App,
   autosave: Autosave,
   systems: Metas,
   toolIds: readonly string[],
   before: Work | null,
-): boolean {
+): Promise<boolean> {
   let link: OpenedLink;
   try {
+    const description = descriptionInLink(location.hash);
+    if (description !== null) await learnSystem(description);
     link = decodeLink(location.hash, { systems, cases: app.cases });
   } catch (error) {
-    if (!(error instanceof LinkError)) throw error;
+    if (!(error instanceof LinkError || error instanceof ScenarioError)) throw error;
     app.actions.report('error', text.bad, [error.message, text.badHint]);
     clearAddress();
     return false;

@@ -3,6 +3,7 @@ import type { SystemView } from '../../core/model/system.ts';
 import { DATA, dataView } from '../../core/motion/dataView.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
+import { settled, written } from '../../core/scenario/own.ts';
 import { checkScenario, collectScenarioErrors } from '../../core/scenario/schema.ts';
 import { MOST_SWEEP_RUNS, type SweepAxis } from '../../core/scenario/sweepAxes.ts';
 import { ENGINE_NAMES, type EngineId, type Scenario, type ScenarioFile } from '../../core/scenario/types.ts';
@@ -48,7 +49,11 @@ function storedRun({ id: _, motion, ...run }: PinnedRun): StoredRun {
   const { id: __, system, trajectory, imported: ___, ...rest } = motion;
   return {
     ...run,
-    motion: { ...rest, issues: rest.issues.slice(0, MOST_ISSUES) },
+    motion: {
+      ...rest,
+      written: rest.written && (written(rest.written, { [system.meta.id]: system.meta }) as ScenarioFile),
+      issues: rest.issues.slice(0, MOST_ISSUES),
+    },
     system: system.meta.id,
     columns: system.meta.columns,
     names: trajectory.columns,
@@ -125,7 +130,7 @@ function scenarioFrom(motion: StoredRun['motion'], system: string, views: Views)
   if (scenario.system !== system) return none;
   // A run that was pushed went on for longer than was written.
   const duration = Number(motion.scenario?.duration);
-  return { written: motion.written, scenario: duration > 0 ? { ...scenario, duration } : scenario };
+  return { written: settled(motion.written), scenario: duration > 0 ? { ...scenario, duration } : scenario };
 }
 
 function trajectoryFrom({ names, data, recorded }: StoredRun): Trajectory {
@@ -149,7 +154,8 @@ export interface StoredSweep {
 /** @throws Error for what is no sweep of this page */
 export function sweepFrom(value: unknown, metas: Readonly<Record<string, SystemMeta>>): StoredSweep {
   const { plan, results } = recordOf(value) as unknown as StoredSweep;
-  const { title, file, axes, measures, form } = plan;
+  const { title, axes, measures, form } = plan;
+  const file = settled(plan.file);
   const meta = metas[file.system];
   if (!meta || collectScenarioErrors(file, metas).size > 0) throw new Error('its scenario can’t run');
   const clean: SweepPlan = {

@@ -1,7 +1,9 @@
 /** The work in progress as the text that the browser stores, and back: what was stored is read like a stranger's file. */
+import { descriptionIn, settled, written } from '../../core/scenario/own.ts';
 import { collectScenarioErrors } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
+import { systemMetas } from '../../core/systems/registry.ts';
 import type { AppState } from '../app.ts';
 import type { CaseInfo } from '../state/cases.ts';
 import type { DraftAndOrigin } from '../state/experiment.ts';
@@ -44,8 +46,8 @@ export function workOf(state: AppState): Work {
 
 export function toText({ work, settings }: SavedState): string {
   const drafts = [...work.drafts.values()].map(({ draft, origin }) => ({
-    draft: origin.scenario === draft ? null : draft,
-    origin: origin.id || { title: origin.title, scenario: origin.scenario },
+    draft: origin.scenario === draft ? null : written(draft, systemMetas),
+    origin: origin.id || { title: origin.title, scenario: written(origin.scenario, systemMetas) },
   }));
   return JSON.stringify({
     version: SAVED_VERSION,
@@ -54,6 +56,19 @@ export function toText({ work, settings }: SavedState): string {
     file: work.file,
     settings: toStored(settings),
   });
+}
+
+/** The descriptions of own systems in a stored text, which have to be read before it is. */
+export function descriptionsIn(text: string): string[] {
+  if (text.length > LONGEST || !text.includes('"description"')) return [];
+  try {
+    const { drafts } = JSON.parse(text) as { drafts?: { draft?: unknown; origin?: { scenario?: unknown } }[] };
+    const scenarios = (drafts ?? []).flatMap(({ draft, origin }) => [draft, origin?.scenario]);
+    return [...new Set(scenarios.map(descriptionIn).filter((found) => found !== null))];
+  } catch {
+    // What is wrong is told when it is read.
+    return [];
+  }
 }
 
 /** @throws Error that says what can't be used */
@@ -101,5 +116,5 @@ function originOf(raw: unknown, known: Known): CaseInfo {
 function scenarioOf(raw: unknown, { systems }: Known): ScenarioFile {
   for (const [path, message] of collectScenarioErrors(raw, systems))
     throw new Error(path ? `${path}: ${message}` : message);
-  return raw as ScenarioFile;
+  return settled(raw as ScenarioFile);
 }

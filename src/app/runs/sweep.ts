@@ -1,7 +1,9 @@
 import { signal } from '@preact/signals';
 import { MOST_SWEEP_RUNS, withAxisValue, type SweepAxis, type SweepValue } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
+import { written } from '../../core/scenario/own.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
+import { systemMetas } from '../../core/systems/registry.ts';
 import type { Answer } from '../../compute/client/answer.ts';
 import type { Pool } from '../../compute/client/pool.ts';
 import type { SweepClient } from '../../compute/client/sweepClient.ts';
@@ -75,7 +77,7 @@ export class Sweep {
     this.pool.start(
       total,
       (lane, job, over) => {
-        const request = { file: scenarioAt(plan, job), measures: plan.measures };
+        const request = { file: written(scenarioAt(plan, job), systemMetas), measures: plan.measures };
         void lane
           .measure(request, (share) => this.reach(job, share))
           .then((answer) => {

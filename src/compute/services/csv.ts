@@ -1,11 +1,13 @@
+import { systemNamed } from '../../core/scenario/own.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import { judgeMotion } from '../../core/simulation/judge.ts';
 import { csvComments, csvHeader, csvRows, type CsvResult } from '../../csv/csv.ts';
-import { ENDING, readStream, scenarioIn as systemIn, understandStream } from '../../csv/reading/stream.ts';
+import { ENDING, readStream, scenarioIn as scenarioBehind, understandStream } from '../../csv/reading/stream.ts';
 import { Transferred, type Caller, type Handlers } from '../remote/serve.ts';
 import type { CsvCalls, FileReading, ReadProgress, ReadRequest } from './csvTypes.ts';
 import { systemOf } from './load.ts';
+import { learnSystemOf } from '../../core/systems/registry.ts';
 import { metas } from './metas.ts';
 
 /** Between two reports of progress, bytes. */
@@ -57,7 +59,10 @@ async function readFile(
 }
 
 async function systemBehind(file: Blob): Promise<string | null> {
-  return systemIn(new Uint8Array(await file.slice(-ENDING).arrayBuffer()));
+  const scenario = scenarioBehind(new Uint8Array(await file.slice(-ENDING).arrayBuffer()));
+  // A description that can't be read leaves the table without its system, as any other comment that is no scenario.
+  await learnSystemOf(scenario).catch(() => {});
+  return systemNamed(scenario);
 }
 
 type Motion = Extract<CsvResult, { kind: 'motion' }>;

@@ -6,6 +6,7 @@ import { Simulation } from '../../core/simulation/simulation.ts';
 import type { System } from '../../core/model/system.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, systemOf } from './load.ts';
+import { learnSystemOf } from '../../core/systems/registry.ts';
 import { metas } from './metas.ts';
 import type { Measured, MeasureRequest, SweepCalls } from './sweepTypes.ts';
 
@@ -20,6 +21,7 @@ async function measure(
   { file, measures }: MeasureRequest,
   { emit }: Pick<Caller<number, never>, 'emit'>,
 ): Promise<Measured> {
+  await learnSystemOf(file);
   const checked = checkScenario(file, metas);
   const system = await systemOf(checked);
   const scenario = needsRows(measures, system.meta) ? checked : { ...checked, outputStep: checked.duration };

@@ -1,4 +1,5 @@
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
+import type { Written } from '../../core/scenario/own.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -9,7 +10,8 @@ export interface SweepCalls {
 }
 
 export interface MeasureRequest {
-  file: ScenarioFile;
+  /** As it is written: an own system by its description. */
+  file: Written<ScenarioFile>;
   measures: readonly SweepMeasure[];
 }
 

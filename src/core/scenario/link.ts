@@ -2,7 +2,8 @@
 import { collectScenarioErrors } from './schema.ts';
 import type { ScenarioFile } from './types.ts';
 import type { SystemMeta } from '../model/system.ts';
-import { decode, difference, encode, isRecord, LinkError, patched, short, type Entry } from './patch.ts';
+import { settled, written } from './own.ts';
+import { decode, difference, encode, isRecord, LinkError, patched, readValue, short, type Entry } from './patch.ts';
 
 export { LinkError } from './patch.ts';
 
@@ -46,9 +47,10 @@ const NOTHING = { version: 1 } as const;
  * The text after `#`, without it.
  * @throws LinkError when it would be longer than `LONGEST_LINK`, or for what a link can't carry
  */
-export function encodeLink(content: LinkContent, { cases }: Pick<Known, 'cases'>): string {
+export function encodeLink(content: LinkContent, { cases, systems }: Known): string {
+  const scenario = written(content.scenario, systems);
   const base = cases.find((c) => c.id === content.caseId && c.scenario.system === content.scenario.system);
-  const changes = difference({ ...(base?.scenario ?? NOTHING) }, { ...content.scenario });
+  const changes = difference({ ...(base?.scenario ?? NOTHING) }, { ...scenario });
   const own = changes.find(([path]) => (NAMES as readonly string[]).includes(path));
   if (own) throw new LinkError(own[0], 'is no name of a scenario');
   const entries: Entry[] = [['v', VERSION]];
@@ -59,7 +61,7 @@ export function encodeLink(content: LinkContent, { cases }: Pick<Known, 'cases'>
   for (const name of ['tool', 'view'] as const) if (content[name]) entries.push([name, content[name]]);
   if (content.time !== undefined && content.time > 0) entries.push(['time', String(content.time)]);
   if (content.plots !== undefined) entries.push(['plots', JSON.stringify(content.plots)]);
-  entries.push(['sum', sumOf(content.scenario)]);
+  entries.push(['sum', sumOf(scenario)]);
   const text = entries.map(([path, value]) => `${path}=${encode(value).replaceAll('%20', '+')}`).join('&');
   if (text.length > LONGEST_LINK || entries.length > MOST_ENTRIES)
     throw new LinkError(
@@ -92,6 +94,21 @@ export function decodeLink(text: string, known: Known): OpenedLink {
   }
   if (altered) return altered;
   throw refusal!;
+}
+
+/**
+ * The description of an own system that a link holds, so that it can be read before the link is decoded; null where there is none.
+ * @param text with or without `#`
+ */
+export function descriptionInLink(text: string): string | null {
+  const found = /(?:^|[&#]|&amp;)system\.description(?:=|%3D)([^&]*)/.exec(text.slice(0, LONGEST_LINK + 1))?.[1];
+  if (found === undefined) return null;
+  try {
+    return String(readValue('', decode('', found.replaceAll('+', ' '))));
+  } catch {
+    // Decoding says what is broken.
+    return null;
+  }
 }
 
 /** The text as it is, then as it was before its signs were written in other ways; each once. */
@@ -128,7 +145,7 @@ function decodeReading(text: string, { systems, cases }: Known): OpenedLink {
   if (caseId !== null && !base) throw new LinkError('case', `no case is called "${short(caseId)}"`);
   const scenario = patched({ ...(base?.scenario ?? NOTHING) }, changes);
   for (const [path, message] of collectScenarioErrors(scenario, systems)) throw new LinkError(path, message);
-  const checked = scenario as unknown as ScenarioFile;
+  const checked = settled(scenario) as unknown as ScenarioFile;
   const title = own.get('title');
   return {
     caseId,
@@ -138,7 +155,7 @@ function decodeReading(text: string, { systems, cases }: Known): OpenedLink {
     ...nameIn(own, 'view'),
     ...timeIn(own),
     ...plotsIn(own),
-    altered: sum !== sumOf(checked),
+    altered: sum !== sumOf(scenario),
   };
 }
 
@@ -204,7 +221,7 @@ function checkPlain(place: string, value: unknown, deep: number): void {
 }
 
 /** 32 bits (FNV-1a) of the scenario, whatever the order of its names: tells cut and changed links, no more. */
-function sumOf(scenario: ScenarioFile): string {
+function sumOf(scenario: object): string {
   let hash = 0x811c9dc5;
   for (const c of ordered(scenario)) hash = Math.imul(hash ^ c.charCodeAt(0), 0x01000193);
   return (hash >>> 0).toString(36);

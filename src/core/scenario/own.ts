@@ -26,11 +26,29 @@ export function descriptionIn(raw: unknown): string | null {
   return typeof system === 'object' && typeof system?.description === 'string' ? system.description : null;
 }
 
+/** Id of the system that a scenario names, or that it describes; null where it does neither. */
+export function systemNamed(scenario: unknown): string | null {
+  const system = (scenario as { system?: unknown } | null)?.system;
+  const text = descriptionIn(scenario);
+  return text === null ? (typeof system === 'string' ? system : null) : ownId(text);
+}
+
+/** A scenario as it is used: an own system by its id. */
+export function settled<S extends object>(raw: S): S {
+  const text = descriptionIn(raw);
+  return text === null ? raw : { ...raw, system: ownId(text) };
+}
+
+/** Of a scenario. */
+export type Written<S> = Omit<S, 'system' | 'description'> & { system: string | { description: string } };
+
 /** A scenario as it is written: an own system by its description. */
-export function written<S extends { system: string }>(
+export function written<S extends { system: string; description?: string }>(
   scenario: S,
   systems: Readonly<Record<string, Pick<SystemMeta, 'description'>>>,
-): Omit<S, 'system'> & { system: string | { description: string } } {
+): Written<S> {
   const text = systems[scenario.system]?.description;
-  return text === undefined ? scenario : { ...scenario, system: { description: text } };
+  if (text === undefined) return scenario;
+  const { description: _, system: __, ...rest } = scenario;
+  return { ...(rest as Omit<S, 'system' | 'description'>), system: { description: text } };
 }

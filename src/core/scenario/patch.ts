@@ -98,7 +98,7 @@ function writeValue(path: string, value: unknown): string {
   throw new LinkError(path, 'is nothing that a link can carry');
 }
 
-function readValue(path: string, text: string): unknown {
+export function readValue(path: string, text: string): unknown {
   let value: unknown;
   try {
     value = JSON.parse(text);

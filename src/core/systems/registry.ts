@@ -4,6 +4,7 @@
  */
 import type { Case } from '../cases/case.ts';
 import { type Drawing, valueOf } from '../geometry/drawing.ts';
+import { LONGEST_FILE } from '../scenario/defaults.ts';
 import { defineSystem } from '../model/defineSystem.ts';
 import type { System, SystemMeta, SystemView } from '../model/system.ts';
 import type { Tape } from '../model/tape.ts';
@@ -60,6 +61,19 @@ export const learnSystem = (text: string): Promise<SystemView> => learn(text, sy
 
 /** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
 export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, systemViews);
+
+/** The same for the text of a scenario's file, whatever else is wrong with it. @throws ScenarioError */
+export async function learnSystemIn(text: string): Promise<void> {
+  if (text.length > LONGEST_FILE || !text.includes('"description"')) return;
+  let raw: unknown;
+  try {
+    raw = JSON.parse(text.replace(/^\ufeff/, ''));
+  } catch {
+    // Its fault is told when it is read as a scenario.
+    return;
+  }
+  await learnSystemOf(raw);
+}
 
 /** Every built-in case. The first one is what the page opens with. */
 export const cases: readonly Case[] = registered.flatMap((folder) => folder.cases);

@@ -82,13 +82,12 @@ export async function understandStream(stream: Bytes, options: UnderstandOptions
 /** Bytes of a file's end that may hold its scenario. */
 export const ENDING = 250_000;
 
-/** System of the scenario behind a table, from the last bytes of its file; null where there is none. */
-export function scenarioIn(ending: Uint8Array): string | null {
+/** The scenario behind a table, as it was written, from the last bytes of its file; null where there is none. */
+export function scenarioIn(ending: Uint8Array): unknown {
   const json = /^#\s*scenario:\s*(\{.*\})\s*$/m.exec(new TextDecoder().decode(ending))?.[1];
   if (json === undefined) return null;
   try {
-    const { system } = JSON.parse(json) as { system?: unknown };
-    return typeof system === 'string' ? system : null;
+    return JSON.parse(json);
   } catch {
     return null;
   }

@@ -1,3 +1,4 @@
+import { systemNamed } from '../../core/scenario/own.ts';
 import { eachRecord, LineSource, LONGEST_LINE, withoutComments } from '../layout/lines.ts';
 import { labelledCells, unstamped } from '../layout/logLines.ts';
 import { Pivot } from '../layout/long.ts';
@@ -213,13 +214,13 @@ export class CsvReader {
   /** Decides what the columns mean. */
   private decide(text: string): void {
     const { systems, timeStep, data, unasked } = this.options;
-    const named = (this.scenario as { system?: unknown } | null)?.system;
+    const named = systemNamed(this.scenario);
     const choices = { ...(timeStep === undefined ? {} : { step: timeStep }), ...this.options.choices };
     const answer = understandText(text, this.encoding, {
       systems,
       choices,
       data: data === true,
-      preferred: typeof named === 'string' ? named : (this.options.preferred ?? null),
+      preferred: named ?? this.options.preferred ?? null,
     });
     if (answer.kind === 'refused') return this.refuse(answer.line, '', answer.message);
     const { plan } = answer;

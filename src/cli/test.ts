@@ -61,17 +61,19 @@ function testsFrom(name: string | undefined, { meta }: System): CheckedTest[] {
 /** A run that can't begin (no design, no consistent start) fails its test, with the reason. A patch that is wrong is a bad file. */
 function carriedOut(one: CheckedTest, file: ScenarioFile, system: System): Outcome {
   const from = performance.now();
-  const runs = runsOf(one, file).map(({ file: patched }): Measured | string => {
+  const runs = runsOf(one, file).map((run): Measured | string => {
     let scenario;
+    let designed;
     try {
-      scenario = checkScenario(patched, metas);
+      scenario = checkScenario(run.file, metas);
+      designed = run.designedFor === run.file ? scenario : checkScenario(run.designedFor, metas);
     } catch (error) {
       if (error instanceof ScenarioError) throw new UsageError(`test "${one.name}": ${error.message}`);
       throw error;
     }
     let feedback;
     try {
-      feedback = feedbackOf(scenario, system);
+      feedback = feedbackOf(designed, system);
     } catch (error) {
       if (error instanceof ScenarioError) return error.message;
       throw error;

@@ -15,11 +15,22 @@ export interface Measured {
   end: RunEnd;
 }
 
-/** The scenarios of a test: one, or as many as its spread has, each with what was drawn for it. */
-export function runsOf(test: CheckedTest, file: ScenarioFile): { file: ScenarioFile; drawn: Record<string, number> }[] {
+/** A run of a test. */
+export interface TestRun {
+  file: ScenarioFile;
+  /**
+   * What its controller is designed for: the same without what was drawn of the vehicle, which a controller does not know; but
+   * with what was drawn of the controller itself.
+   */
+  designedFor: ScenarioFile;
+  drawn: Record<string, number>;
+}
+
+/** One, or as many as the test's spread has, each with what was drawn for it. */
+export function runsOf(test: CheckedTest, file: ScenarioFile): TestRun[] {
   const base = patched(file, test.scenario);
   const { spread } = test;
-  if (!spread) return [{ file: base, drawn: {} }];
+  if (!spread) return [{ file: base, designedFor: base, drawn: {} }];
   return Array.from({ length: spread.count }, (_, run) => {
     const drawn = Object.fromEntries(
       Object.entries(spread.vary).map(([path, distribution], stream) => [
@@ -27,11 +38,11 @@ export function runsOf(test: CheckedTest, file: ScenarioFile): { file: ScenarioF
         drawnFrom(distribution, spread.seed ?? 0, stream, run),
       ]),
     );
-    const withDrawn = Object.entries(drawn).reduce(
-      (next, [path, value]) => patched(next, nested(path.split('.'), value)),
-      base,
-    );
-    return { file: withDrawn, drawn };
+    const withDrawn = (only: RegExp): ScenarioFile =>
+      Object.entries(drawn)
+        .filter(([path]) => only.test(path))
+        .reduce((next, [path, value]) => patched(next, nested(path.split('.'), value)), base);
+    return { file: withDrawn(/^/), designedFor: withDrawn(/^control\./), drawn };
   });
 }
 

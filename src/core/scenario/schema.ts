@@ -1,5 +1,6 @@
 import { inputsOf } from '../model/inputs.ts';
 import type { SystemMeta } from '../model/system.ts';
+import { checkPath } from './path.ts';
 import { Checker, kindOf } from './checker.ts';
 import { checkComputer, COMPUTER_KEYS } from './computer.ts';
 import {
@@ -292,7 +293,7 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   if (type === undefined) return null;
   const keys =
     type === 'lqr'
-      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule', ...COMPUTER_KEYS]
+      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule', 'path', ...COMPUTER_KEYS]
       : ['type', 'reference', 'kp', 'kd', 'limits', ...COMPUTER_KEYS.filter((key) => key !== 'design')];
   const control = new Map(c.entries('control', raw, keys));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
@@ -322,8 +323,21 @@ function checkLqr(
     R,
     limits,
     ...(control.get('schedule') === undefined ? {} : { schedule: checkSchedule(c, control.get('schedule'), meta) }),
+    ...(control.get('path') === undefined ? {} : { path: followedPath(c, control, meta) }),
     ...checkComputer(c, control, names, limits, states),
   };
+}
+
+/** A path goes with a computer, one regulator, and states that are known. */
+function followedPath(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta): LqrControl['path'] {
+  if (!control.get('sample')) c.add('control.path', 'is followed by a computer: give control.sample (s) too');
+  for (const key of ['schedule', 'sensors'])
+    if (control.get(key) !== undefined)
+      c.add(
+        `control.${key}`,
+        `can't go with control.path, whose regulators are about turns, not about control.at; leave one of them out`,
+      );
+  return checkPath(c, control.get('path'), meta);
 }
 
 function checkSchedule(c: Checker, raw: unknown, meta: SystemMeta): SpeedSchedule {

@@ -1,3 +1,5 @@
+import type { PathOptions } from './path.ts';
+
 /** The scenario: one JSON for page, link, worker, command line and tests. */
 
 /** A number (SI, radians) or an expression such as `"10 deg"`. */
@@ -54,6 +56,7 @@ export interface LqrControl extends Computer {
   R?: Record<string, NumberOrExpression>;
   limits?: Record<string, NumberOrExpression>;
   schedule?: SpeedSchedule | undefined;
+  path?: PathOptions | undefined;
 }
 
 /** Gains designed at `count` forward speeds between two (m/s) and interpolated at the speed that there is. */

@@ -1,5 +1,5 @@
 /** What a regulator does in a run: the largest of each input, and the cost that it was designed to keep small. */
-import { Matrix } from 'ml-matrix';
+import type { Matrix } from 'ml-matrix';
 import { lqrOf } from './scenarioControl.ts';
 import type { Scenario } from '../../scenario/types.ts';
 import type { System } from '../../model/system.ts';

@@ -1,6 +1,7 @@
 import { SampledEstimator } from '../sampled/estimator.ts';
 import type { LqrDesign } from './lqr.ts';
 import { filterOf, lqrOf, sampledDesignOf, timingOf } from './scenarioControl.ts';
+import { pathFeedbackOf } from '../path/pathFeedback.ts';
 import { scheduledFeedbackOf } from './scheduledFeedback.ts';
 import type { Estimator, Feedback } from '../../mechanics/forcing.ts';
 import { ScenarioError, type Scenario } from '../../scenario/types.ts';
@@ -71,6 +72,7 @@ export class StateFeedback implements Feedback {
 export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
   if (scenario.control?.type !== 'lqr') return null;
   if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);
+  if (scenario.control.path) return pathFeedbackOf(scenario, system, scenario.control);
   const design = lqrOf(scenario, system);
   const { linearization } = design;
   const sampled = scenario.control.design === 'sampled' ? sampledDesignOf(scenario, design) : null;

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
+import { licences } from './scripts/licences.ts';
 import { leanThree } from './scripts/leanThree.ts';
 import { offline } from './scripts/offline.ts';
 import { workerWithPage } from './scripts/workerWithPage.ts';
@@ -40,7 +41,7 @@ const developersStyles = {
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
   define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
-  plugins: [woff2Only, developersStyles, leanThree(), workerWithPage(), chunkList(), offline()],
+  plugins: [woff2Only, developersStyles, leanThree(), workerWithPage(), chunkList(), licences(), offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     target: 'es2022',

@@ -90,7 +90,8 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
   const history = createHistory(experiment, (edit) => {
     fields.actions.forgetRefused();
     const motion = stage.state.motion.peek();
-    const another = edit.before.origin !== edit.after.origin || motion?.system.meta.id !== edit.after.draft.system;
+    const another =
+      edit.before.origin.scenario !== edit.after.origin.scenario || motion?.system.meta.id !== edit.after.draft.system;
     // A file on the stage stays there.
     if (another && motion?.source === 'run' && experiment.state.draftErrors.peek().size === 0) runs.run();
     else live.follow(edit);
@@ -142,7 +143,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     pinned: pinned.runs,
   };
   const { draft, origin, drafts, draftErrors } = state;
-  const { replace, restore } = experiment.actions;
+  const { replace, restore, rename } = experiment.actions;
   const { undo, redo, goToEdit } = history.actions;
   const { refuseField, goToField, forgetRefused } = fields.actions;
   const { play, pause, togglePlaying, seek, stepRows } = playback.actions;
@@ -154,6 +155,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     ...dialogs.actions,
     ...messages.actions,
     edit,
+    rename,
     undo,
     redo,
     goToEdit,

@@ -50,6 +50,8 @@ export interface Feature {
   timeLine?: ComponentType;
   /** Always in the page, and seen when it chooses: a dialog, a cover for dropped files. */
   dialog?: ComponentType;
+  /** Pages of the help, after the keys. */
+  helpPages?: readonly { id: string; title: string; Body: ComponentType }[];
   /** Under the sheet of keys; `close` closes the sheet. */
   help?: ComponentType<{ close(): void }>;
   /** What it adds to the page's commands, and their keys to the sheet. */

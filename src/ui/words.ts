@@ -5,6 +5,7 @@ export const text = {
   ownScenario: 'Own scenario',
   top: {
     theme: (now: string) => `Use the ${now === 'dark' ? 'light' : 'dark'} theme`,
+    help: 'Help',
     keys: 'Keyboard',
   },
   panel: {
@@ -94,6 +95,20 @@ export const text = {
     undo: (label?: string) => (label === undefined ? 'Undo' : `Undo: ${label}`),
     redo: (label?: string) => (label === undefined ? 'Redo' : `Redo: ${label}`),
   },
+  changed: (title: string) => `${title}, changed`,
+  changedHere: 'Changed here:',
+  changedNames: {
+    duration: 'duration',
+    outputStep: 'output step',
+    constraints: 'constraints',
+    hold: 'held coordinates',
+    'method.name': 'method',
+    'control.type': 'controller',
+    parameterSet: 'parameter set',
+  } as Record<string, string>,
+  rateOf: (label: string) => `rate of ${label}`,
+  unset: 'not named',
+  andMore: (n: number) => ` and ${n} more`,
   hint: 'Press Run to compute this motion, or drop a CSV on the page.',
   noScene: 'The scene cannot be drawn',
   dataOnly: 'Data without a scene',
@@ -121,6 +136,6 @@ export const text = {
     run: 'run',
     undo: 'undo the last change',
     redo: 'redo it',
-    keys: 'this sheet',
+    keys: 'help',
   },
 } as const;

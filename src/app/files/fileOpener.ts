@@ -142,7 +142,13 @@ export class FileOpener {
     await learnSystemIn(text);
     parseScenario(text, this.context.metas);
     const scenario = settled(JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile);
-    this.context.messages.report('info', `Opened ${name}`, ['The scenario is in the panel and running.']);
+    this.context.messages.report(
+      'info',
+      `Opened ${name}`,
+      ['The scenario is in the panel and running.'],
+      undefined,
+      'opened',
+    );
     this.context.openScenario(ownCase(name.replace(/\.json$/i, ''), scenario), scenario);
   }
 
@@ -183,7 +189,13 @@ export class FileOpener {
     if (!reading || signal.aborted) {
       // A reading that gave way to another is no one's concern.
       if (signal.reason === CANCELLED || !shown)
-        messages.report('info', `${name} was not read to its end`, ['What was on the stage is still there.']);
+        messages.report(
+          'info',
+          `${name} was not read to its end`,
+          ['What was on the stage is still there.'],
+          undefined,
+          'opened',
+        );
       return;
     }
     if (shown && stage.motion.peek()?.id !== shown.id) return;
@@ -248,6 +260,8 @@ export class FileOpener {
         'warning',
         `${name}: ${result.skippedRows} of ${result.rows + result.skippedRows} rows could not be used`,
         [...result.issues.slice(0, 3).map(describe), 'The rest plays; every row is listed with the file.'],
+        undefined,
+        'opened',
       );
     }
   }

@@ -33,7 +33,7 @@ export function linkOf(app: App): string {
   const [time, motion] = [state.time.peek(), state.motion.peek()];
   const content: LinkContent = {
     caseId: origin.id || null,
-    title: origin.title,
+    ...(app.cases.some(({ id, title }) => id === origin.id && title === origin.title) ? {} : { title: origin.title }),
     scenario: state.draft.peek(),
     ...toLink(settingValues(state)),
     ...(!state.playing.peek() && time > 0 && motion?.source === 'run' && time < motion.trajectory.end
@@ -63,7 +63,11 @@ export async function openLink(
     return false;
   }
   const found = app.cases.find((c) => c.id === link.caseId);
-  const origin = found ?? ownCase(link.title ?? app.systemOf(link.scenario.system)!.meta.title, link.scenario);
+  const origin = found
+    ? link.title === undefined
+      ? found
+      : { ...found, title: link.title }
+    : ownCase(link.title ?? app.systemOf(link.scenario.system)!.meta.title, link.scenario);
   const same = difference({ ...origin.scenario }, { ...link.scenario }).length === 0;
   const shown = app.state.motion.peek();
   app.actions.openScenario(origin, same ? origin.scenario : link.scenario, link.time === undefined);
@@ -87,14 +91,12 @@ function tell(
   ];
   const kind = altered ? 'warning' : 'info';
   if (!before) {
-    app.actions.report(kind, text.opened(origin.title), [text.openedFresh, ...remarks]);
+    app.actions.report(kind, text.opened(origin.title), [text.openedFresh, ...remarks], undefined, 'opened');
     return;
   }
   autosave.suspend(before, clearAddress);
-  app.actions.report(kind, text.opened(origin.title), [text.openedHint, ...remarks], {
-    label: text.back,
-    run: () => void autosave.restoreWork(before),
-  });
+  const back = { label: text.back, run: () => void autosave.restoreWork(before) };
+  app.actions.report(kind, text.opened(origin.title), [text.openedHint, ...remarks], back, 'opened');
 }
 
 /** What is edited is no longer what the address says: a reload then brings back the edits. */

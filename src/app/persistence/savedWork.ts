@@ -5,7 +5,7 @@ import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { systemMetas } from '../../core/systems/registry.ts';
 import type { AppState } from '../app.ts';
-import type { CaseInfo } from '../state/cases.ts';
+import { builtInCases, type CaseInfo } from '../state/cases.ts';
 import type { DraftAndOrigin } from '../state/experiment.ts';
 import type { SettingValues } from '../state/settingsTable.ts';
 import { fromStored, recordOf, toStored } from './settingsCodec.ts';
@@ -47,7 +47,7 @@ export function workOf(state: AppState): Work {
 export function toText({ work, settings }: SavedState): string {
   const drafts = [...work.drafts.values()].map(({ draft, origin }) => ({
     draft: origin.scenario === draft ? null : written(draft, systemMetas),
-    origin: origin.id || { title: origin.title, scenario: written(origin.scenario, systemMetas) },
+    origin: storedOrigin(origin),
   }));
   return JSON.stringify({
     version: SAVED_VERSION,
@@ -69,6 +69,12 @@ export function descriptionsIn(text: string): string[] {
     // What is wrong is told when it is read.
     return [];
   }
+}
+
+/** A built-in case by its id; one with a title of its own by both. */
+function storedOrigin({ id, title, scenario }: CaseInfo): unknown {
+  if (id === '') return { title, scenario: written(scenario, systemMetas) };
+  return builtInCases.find((one) => one.id === id)?.title === title ? id : { case: id, title };
 }
 
 /** @throws Error that says what can't be used */
@@ -104,10 +110,12 @@ function originOf(raw: unknown, known: Known): CaseInfo {
     if (!found) throw new Error(`no case is called "${raw.slice(0, 60)}"`);
     return found;
   }
-  const { title, scenario } = recordOf(raw);
+  const { case: id, title, scenario } = recordOf(raw);
+  const own = typeof title === 'string' ? title.slice(0, 200) : '';
+  if (typeof id === 'string') return { ...originOf(id, known), title: own };
   return {
     id: '',
-    title: typeof title === 'string' ? title.slice(0, 200) : '',
+    title: own,
     summary: '',
     scenario: scenarioOf(scenario, known),
   };

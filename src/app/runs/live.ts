@@ -14,6 +14,8 @@ import type { StageState } from './stageState.ts';
 export type Stale = 'off' | 'costly' | 'pushed' | 'refused';
 
 export interface LiveState {
+  /** The draft that the stage shows a run of, or is about to; null where it shows something else. */
+  asked: ReadonlySignal<ScenarioFile | null>;
   /** Null where the stage shows a run of the draft, or no run. */
   stale: ReadonlySignal<Stale | null>;
   /** The run before what is being changed, seen beside it as a ghost. */
@@ -51,6 +53,7 @@ export class LiveRuns {
     this.context = context;
     const { stage, experiment, settings, runs } = context;
     this.state = {
+      asked: runs.asked,
       former: readonly(this.before),
       stale: computed(() => {
         const motion = stage.motion.value;

@@ -35,6 +35,8 @@ export interface ExperimentActions {
    * @param change gives a new object, or the same for no change
    */
   edit(label: string, change: (draft: ScenarioFile) => ScenarioFile): void;
+  /** Gives what is in the panel a title of its own, which its links carry. */
+  rename(title: string): void;
 }
 
 export interface ExperimentSlice {
@@ -48,6 +50,9 @@ export interface ExperimentSlice {
   /** Every change of the draft or its origin, after it. */
   edited: AppEvent<DraftEdit>;
 }
+
+/** Characters. */
+const LONGEST_TITLE = 80;
 
 export function createExperiment(first: CaseInfo, systems: Readonly<Record<string, SystemMeta>>): ExperimentSlice {
   const current = signal<DraftAndOrigin>({ draft: first.scenario, origin: first });
@@ -80,6 +85,11 @@ export function createExperiment(first: CaseInfo, systems: Readonly<Record<strin
         const { draft: before, origin } = current.peek();
         const after = change(before);
         if (after !== before) put(label, { draft: after, origin });
+      },
+      rename(typed) {
+        const { draft: now, origin } = current.peek();
+        const title = typed.trim().slice(0, LONGEST_TITLE);
+        if (title !== '' && title !== origin.title) put('title', { draft: now, origin: { ...origin, title } });
       },
       replace: put,
       restore: put,

@@ -10,6 +10,8 @@ export interface Message {
   id: number;
   kind: 'info' | 'warning' | 'error';
   title: string;
+  /** What it is about: a newer one of the same takes its place. */
+  topic: string;
   /** What happened, where, what to do. */
   details: readonly string[];
   /** What the person may do about it with one press. */
@@ -24,8 +26,18 @@ export interface MessageState {
 }
 
 export interface MessageActions {
-  /** Tells the person something. */
-  report(kind: Message['kind'], title: string, details: readonly string[], action?: MessageAction): void;
+  /**
+   * Tells the person something.
+   *
+   * @param topic where the title names things: what the message is about
+   */
+  report(
+    kind: Message['kind'],
+    title: string,
+    details: readonly string[],
+    action?: MessageAction,
+    topic?: string,
+  ): void;
   dismiss(messageId: number): void;
 }
 
@@ -41,9 +53,10 @@ export function createMessages(): MessagesSlice {
   return {
     state: { messages: readonly(messages) },
     actions: {
-      report(kind, title, details, action) {
-        const message = { id: next++, kind, title, details, ...(action ? { action } : {}) };
-        messages.value = [...messages.peek(), message].slice(-MOST_MESSAGES);
+      report(kind, title, details, action, topic = title) {
+        const message = { id: next++, kind, title, topic, details, ...(action ? { action } : {}) };
+        const others = messages.peek().filter((one) => one.topic !== topic);
+        messages.value = [...others, message].slice(-MOST_MESSAGES);
       },
       dismiss: (id) => void (messages.value = messages.peek().filter((m) => m.id !== id)),
     },

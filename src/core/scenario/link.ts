@@ -10,7 +10,7 @@ export { LinkError } from './patch.ts';
 export interface LinkContent {
   /** The built-in case that the scenario is a change of, or null: then the link holds all of it. */
   caseId: string | null;
-  /** Of a scenario without a case. */
+  /** As its author calls it, where that is not the case's own title. */
   title?: string;
   scenario: ScenarioFile;
   /** Ids of the open tool and of the view, a playback time (s), and what is plotted: only names and shapes are checked here. */
@@ -55,8 +55,7 @@ export function encodeLink(content: LinkContent, { cases, systems }: Known): str
   if (own) throw new LinkError(own[0], 'is no name of a scenario');
   const entries: Entry[] = [['v', VERSION]];
   if (base) entries.push(['case', base.id]);
-  else if (content.title)
-    entries.push(['title', content.title.slice(0, LONGEST_TITLE).replace(/[\ud800-\udbff]$/, '')]);
+  if (content.title) entries.push(['title', content.title.slice(0, LONGEST_TITLE).replace(/[\ud800-\udbff]$/, '')]);
   entries.push(...changes);
   for (const name of ['tool', 'view'] as const) if (content[name]) entries.push([name, content[name]]);
   if (content.time !== undefined && content.time > 0) entries.push(['time', String(content.time)]);

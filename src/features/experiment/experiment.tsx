@@ -2,6 +2,7 @@
 import { useEffect } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { goToField } from '../../ui/kit/goToField.ts';
+import { Term } from '../../ui/kit/term.tsx';
 import { useUi } from '../../ui/context.ts';
 import { ControlSection, InputsSection } from './inputsSection.tsx';
 import { MethodSection, TimeSection } from './methodSection.tsx';
@@ -44,8 +45,11 @@ function FileApart() {
   const motion = useUi().app.state.motion.value;
   if (motion?.source !== 'file') return null;
   return (
-    <p class="apart" role="note" data-testid="file-apart">
-      {words.onStage} <b>{motion.title}</b>. {words.apart}
-    </p>
+    <div class="apart" role="note" data-testid="file-apart">
+      <p>
+        {words.onThe} <Term id="stage">{words.stage}</Term> {words.isFile} <b>{motion.title}</b>.
+      </p>
+      <p>{words.apart}</p>
+    </div>
   );
 }

@@ -6,6 +6,7 @@ import { withEntry, withKey } from '../../app/state/draft.ts';
 import { ExpressionField } from '../../ui/kit/expressionField.tsx';
 import { later } from '../../ui/kit/later.tsx';
 import { firstLqr } from './lqrWeights.ts';
+import { Term } from '../../ui/kit/term.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
@@ -129,7 +130,9 @@ function Track({ control }: { control: TrackControl }) {
         ))}
       <NumberField symbol={<MathSymbol of="k_p" />} spec={gain('kp')} testId="control-kp" />
       <NumberField symbol={<MathSymbol of="k_d" />} spec={gain('kd')} testId="control-kd" />
-      <p class="hint">{words.trackHint}</p>
+      <p class="hint">
+        <Term id="tracked">{words.tracked}</Term> {words.trackHint}
+      </p>
     </>
   );
 }

@@ -23,13 +23,14 @@ test('a weight is changed while the board rides: the readout follows, the motion
   await page.locator('summary', { hasText: 'Control' }).first().click();
   const readout = page.getByTestId('lqr-readout');
   await expect(readout).toContainText('10 of 14');
-  const before = await readout.innerText();
+  const poles = page.getByTestId('lqr-poles');
+  const before = await poles.innerText();
 
   const slider = page.getByTestId('slider-alpha_fp');
   await slider.focus();
   await slider.press('End');
   await expect(page.getByTestId('weight-alpha_fp')).toHaveValue('10000');
-  await expect.poll(() => readout.innerText()).not.toBe(before);
+  await expect.poll(() => poles.innerText()).not.toBe(before);
   await expect(page.getByRole('button', { name: 'retuned' })).toBeVisible();
   await expect(page.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
   // Still where it was, with what was ridden before kept.
@@ -37,13 +38,13 @@ test('a weight is changed while the board rides: the readout follows, the motion
 
   await page.getByTestId('undo').click();
   await expect(page.getByTestId('weight-alpha_fp')).toHaveValue('1');
-  await expect.poll(() => readout.innerText()).toBe(before);
+  await expect.poll(() => poles.innerText()).toBe(before);
 
   // From a move of the slider to the new numbers on the screen, and to the first frame of the motion that goes on with them.
   await seek(page, 1);
   const waits = await page.evaluate(async () => {
     const control = document.querySelector<HTMLInputElement>('[data-testid="slider-alpha_fp"]')!;
-    const shown = document.querySelector<HTMLElement>('[data-testid="lqr-readout"]')!;
+    const shown = document.querySelector<HTMLElement>('[data-testid="lqr-poles"]')!;
     const { state } = (window as unknown as { ripstikApp: { state: { motion: { value: { id: number } } } } })
       .ripstikApp;
     const frame = () => new Promise<number>((done) => requestAnimationFrame(done));

@@ -8,6 +8,7 @@ import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+import { Term } from '../../ui/kit/term.tsx';
 import { text } from '../../ui/words.ts';
 import { lqrWords as words } from './words.ts';
 
@@ -76,7 +77,7 @@ export function LqrEffect() {
           {words.work}
         </Row>
         <Row before={earlier?.cost} now={present.cost} unit="">
-          {words.cost}
+          <Term id="cost">{words.cost}</Term>
         </Row>
         {[present, ...(earlier ? [earlier] : [])].some((one) => one.reason !== 'end') && (
           <tr>

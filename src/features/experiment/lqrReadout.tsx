@@ -5,6 +5,7 @@ import type { Answer } from '../../app/app.ts';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { Term } from '../../ui/kit/term.tsx';
 import { LqrEffect } from './lqrEffect.tsx';
 import { lqrWords as words } from './words.ts';
 
@@ -48,7 +49,9 @@ export function LqrReadout() {
     <div class="lqr-readout" data-testid="lqr-readout">
       <ComplexPlane open={now.value.eigenvalues} closed={now.value.closedLoopEigenvalues ?? []} />
       <p class="poles" data-testid="lqr-poles">
-        <span class="poles-title">{words.poles}</span>{' '}
+        <span class="poles-title">
+          <Term id="pole">{words.poles}</Term>
+        </span>{' '}
         {(closedLoop ?? [])
           .filter(({ eigenvalue }) => eigenvalue[1] >= 0)
           .map(({ eigenvalue, damping }, i) => (
@@ -63,7 +66,9 @@ export function LqrReadout() {
         <dd>{slowest ? `${formatShort(slowest.timeConstant ?? Infinity, 3)} s` : '–'}</dd>
         <dt>{words.damping}</dt>
         <dd>{leastDamped ? formatShort(leastDamped.damping ?? 1, 3) : '–'}</dd>
-        <dt>{words.reached}</dt>
+        <dt>
+          {words.reachedBefore} <Term id="reachable">{words.reachedTerm}</Term>
+        </dt>
         <dd>{words.of(reachability.dimension, now.value.eigenvalues.length)}</dd>
         <dt>{words.residual}</dt>
         <dd>{formatScientific(careResidual ?? NaN)}</dd>

@@ -1,8 +1,33 @@
+import { useId } from 'preact/hooks';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
+import { Term } from '../../ui/kit/term.tsx';
 import { withKey } from '../../app/state/draft.ts';
 import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
+
+/** What the experiment is called; links and exports carry it. */
+function Title() {
+  const { state, actions } = useUi().app;
+  const id = useId();
+  return (
+    <div class="choice">
+      <label for={id}>{words.name}</label>
+      <input
+        id={id}
+        class="title-field"
+        type="text"
+        autocomplete="off"
+        value={state.origin.value.title}
+        data-testid="title"
+        onChange={(event) => {
+          actions.rename(event.currentTarget.value);
+          event.currentTarget.value = state.origin.peek().title;
+        }}
+      />
+    </div>
+  );
+}
 
 export function SystemSection() {
   const ui = useUi();
@@ -53,8 +78,8 @@ export function SystemSection() {
       )}
       {system.meta.order !== 1 && (
         <div class="hold" role="group" aria-label={words.hold}>
-          <span class="hold-label" title={words.holdHint}>
-            {words.hold}
+          <span class="hold-label">
+            <Term id="held-coordinate">{words.hold}</Term>
           </span>
           <span class="hold-keys">
             {system.meta.coordinates.map((c) => (
@@ -73,6 +98,7 @@ export function SystemSection() {
           {errors.get('hold') && <span class="error">{errors.get('hold')}</span>}
         </div>
       )}
+      <Title />
     </Section>
   );
 }

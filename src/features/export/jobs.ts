@@ -79,7 +79,7 @@ async function work(
     const { name, part, type } = await make(control.signal);
     if (control.signal.aborted) return;
     download(name, [part], type);
-    app.actions.report('info', text.done(name), []);
+    app.actions.report('info', text.done(name), [], undefined, 'export');
   } catch (error) {
     if (!control.signal.aborted)
       app.actions.report('error', text.failed, [error instanceof Error ? error.message : String(error)]);

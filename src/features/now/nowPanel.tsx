@@ -9,6 +9,7 @@ import { Slot } from '../../ui/slot.tsx';
 import { sample, useSlowTime } from '../../ui/slowTime.ts';
 import { formatFixed, formatShort, formatTime, formatValue, THIN } from '../../ui/kit/format.ts';
 import { Chip } from '../../ui/kit/chip.tsx';
+import { Term } from '../../ui/kit/term.tsx';
 import { MathSymbol } from '../../charts/textView.tsx';
 import { words } from './words.ts';
 
@@ -142,7 +143,9 @@ function Multipliers({
   }
   return (
     <table data-testid="now-multipliers">
-      <caption>{words.multipliers}</caption>
+      <caption>
+        <Term id="multiplier">{words.multipliers}</Term>
+      </caption>
       <tbody>
         {values.map(([name, value], i) => {
           const force = forces.get(i);

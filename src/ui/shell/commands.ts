@@ -154,7 +154,7 @@ const lastCommands: readonly Command[] = [
   ...fieldCommands,
   {
     id: 'keys',
-    label: text.top.keys,
+    label: text.top.help,
     keys: [on(lines.keys, '?')],
     perform: ({ actions }) => actions.openDialog('keys'),
   },

@@ -4,6 +4,7 @@ import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';
 import { formatCount, formatPower, formatScientific, THIN, type EnergyFacts } from '../kit/format.ts';
+import { Term } from '../kit/term.tsx';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
 
@@ -108,7 +109,8 @@ function Trust({
     <>
       <Energy numbers={numbers} driven={driven} />
       <span title={words.residualTitle}>
-        {words.residual} <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b>
+        <Term id="residual">{words.residual}</Term>{' '}
+        <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b>
       </span>
     </>
   );

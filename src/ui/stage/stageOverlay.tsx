@@ -5,6 +5,7 @@ import type { ViewName } from '../../app/state/settingsTable.ts';
 import { useCommand, useUi } from '../context.ts';
 import { Toggle } from '../kit/controls.tsx';
 import { Slot } from '../slot.tsx';
+import { Caption } from './caption.tsx';
 import { ForceLegend, Inset } from './stageCorners.tsx';
 import { ViewMenu } from './viewMenu.tsx';
 import { text } from '../words.ts';
@@ -13,7 +14,6 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
   const ui = useUi();
   const { state } = ui.app;
   const motion = state.motion.value;
-  const origin = ui.origin.value;
   const system = motion?.system ?? ui.system.value;
   const [tracked, forced] = [
     (system?.tracks ?? system?.contacts ?? []).length > 0,
@@ -21,15 +21,9 @@ export function StageOverlay({ sceneError }: { sceneError: ReadonlySignal<string
   ];
   const drawn = !motion || motion.system.meta.bodies.length > 0;
   const closeUp = system?.meta.views?.closeUp !== undefined;
-  const fileTitle = motion && motion.source !== 'run' ? motion.title : null;
   return (
     <>
-      <div class="caption">
-        <p class="caption-title">{fileTitle ?? origin?.title ?? ''}</p>
-        {!fileTitle && origin && <p>{origin.summary}</p>}
-        <Slot name="caption" />
-        {motion === null && state.run.value === null && <p>{text.hint}</p>}
-      </div>
+      <Caption />
       {sceneError.value !== null && (
         <div class="scene-error" role="alert" data-testid="scene-error">
           <h2>{text.noScene}</h2>

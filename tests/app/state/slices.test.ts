@@ -204,6 +204,18 @@ test('messages: the newest five, each with a number of its own', () => {
   expect(state.messages.value.map(({ title }) => title)).toEqual(['3', '5', '6', '7']);
 });
 
+test('messages: a newer one on the same topic takes the place of the old', () => {
+  const { state, actions } = createMessages();
+  actions.report('error', 'The run could not go on', ['first']);
+  actions.report('info', 'Opened a.json', [], undefined, 'opened');
+  actions.report('error', 'The run could not go on', ['second']);
+  actions.report('info', 'Opened b.json', [], undefined, 'opened');
+  expect(state.messages.value.map(({ title, details }) => [title, ...details])).toEqual([
+    ['The run could not go on', 'second'],
+    ['Opened b.json'],
+  ]);
+});
+
 test('one dialog at a time; one push', () => {
   const { state, actions } = createDialogs();
   actions.openDialog('keys');

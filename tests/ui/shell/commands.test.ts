@@ -49,7 +49,7 @@ describe('the list', () => {
       ['Ctrl Z', 'undo the last change'],
       ['Ctrl Shift Z, Ctrl Y', 'redo it'],
       ['↑ ↓ in a field', 'step the value; Shift ×10, Alt ÷10'],
-      ['?', 'this sheet'],
+      ['?', 'help'],
     ]);
     const all = sheetOf(commands);
     expect([...all.slice(0, 9), ...all.slice(-5)]).toEqual(own);

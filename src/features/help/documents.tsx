@@ -1,0 +1,57 @@
+/** The documents that come with the page, to be read in it. */
+import { useState } from 'preact/hooks';
+import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
+import { Markdown } from './markdown.tsx';
+import { words } from './words.ts';
+
+const loaders = import.meta.glob<string>('../../../docs/*.md', { query: '?raw', import: 'default' });
+const files = new Map(Object.entries(loaders).map(([path, load]) => [path.split('/').at(-1)!, load]));
+/** Of those who work on the program. */
+const NOT_SHOWN = new Set(['README.md', 'dependencies.md', 'adding-a-feature.md', 'adding-a-system.md', 'glossary.md']);
+const LETTERS: Readonly<Record<string, string>> = { csv: 'CSV', ripstik: 'RipStik' };
+
+const titleOf = (file: string): string => {
+  const [first = '', ...rest] = file
+    .replace(/\.md$/, '')
+    .split('-')
+    .map((word) => LETTERS[word] ?? word);
+  return [first[0]!.toUpperCase() + first.slice(1), ...rest].join(' ');
+};
+
+export function Documents() {
+  const [open, setOpen] = useState<string | null>(null);
+  const [text, setText] = useState<string | null>(null);
+  const [failed, setFailed] = useState(false);
+  const show = (file: string): void => {
+    setText(null);
+    setFailed(false);
+    setOpen(file);
+    files.get(file)!().then(setText, () => setFailed(true));
+  };
+  if (open === null)
+    return (
+      <ul class="documents" data-testid="documents">
+        {[...files.keys()]
+          .filter((file) => !NOT_SHOWN.has(file))
+          .map((file) => (
+            <li key={file}>
+              <button type="button" class="link" onClick={() => show(file)}>
+                {titleOf(file)}
+              </button>
+            </li>
+          ))}
+      </ul>
+    );
+  return (
+    <article class="help-text" data-testid="document">
+      <button type="button" class="link" onClick={() => setOpen(null)}>
+        {words.back}
+      </button>
+      {text === null ? (
+        <LoadingPart failed={failed} />
+      ) : (
+        <Markdown text={text} linkOf={(file) => (files.has(file) ? () => show(file) : null)} />
+      )}
+    </article>
+  );
+}

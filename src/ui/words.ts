@@ -103,6 +103,7 @@ export const text = {
     constraints: 'constraints',
     hold: 'held coordinates',
     'method.name': 'method',
+    control: 'controller',
     'control.type': 'controller',
     parameterSet: 'parameter set',
   } as Record<string, string>,

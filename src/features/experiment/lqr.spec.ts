@@ -21,8 +21,8 @@ test('a weight is changed while the board rides: the readout follows, the motion
   await pause(page);
   await seek(page, 1);
   await page.locator('summary', { hasText: 'Control' }).first().click();
-  const readout = page.getByTestId('lqr-readout');
-  await expect(readout).toContainText('10 of 14');
+  await expect(page.getByTestId('lqr-facts')).toContainText('10 of 14');
+  await expect(page.getByTestId('lqr-effect')).toContainText('work put in');
   const poles = page.getByTestId('lqr-poles');
   const before = await poles.innerText();
 

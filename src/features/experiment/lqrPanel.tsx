@@ -7,7 +7,7 @@ import { Check } from '../../ui/kit/controls.tsx';
 import { withKey } from '../../app/state/draft.ts';
 import { formatShort } from '../../ui/kit/format.ts';
 import { ComputerFields } from './lqrComputer.tsx';
-import { LqrReadout } from './lqrReadout.tsx';
+import { LqrFacts, LqrReadout, useAskForDesign } from './lqrReadout.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { lqrWords, words } from './words.ts';
@@ -21,6 +21,7 @@ const STEP = 0.05;
 export function LqrPanel({ control }: { control: LqrControl }) {
   const ui = useUi();
   const meta = ui.system.value!.meta;
+  useAskForDesign();
   const change = (part: Partial<LqrControl>) =>
     edit(ui, words.control, (now) =>
       now.control?.type === 'lqr' ? withKey(now, 'control', { ...now.control, ...part }) : now,
@@ -58,6 +59,7 @@ export function LqrPanel({ control }: { control: LqrControl }) {
         <LqrReadout />
         <Weights control={control} meta={meta} change={change} />
       </div>
+      <LqrFacts />
       <ComputerFields control={control} change={change} />
     </div>
   );

@@ -1,5 +1,5 @@
 /** What the weights amount to: eigenvalues in the complex plane, time constants, what no input reaches. */
-import { effect, useSignal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { Answer } from '../../app/app.ts';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
@@ -10,25 +10,31 @@ import { LqrEffect } from './lqrEffect.tsx';
 import { lqrWords as words } from './words.ts';
 
 const WIDTH = 288;
-const HEIGHT = 150;
+const HEIGHT = 116;
 const MARGIN = 10;
 
+/** The design of what stands in the panel, asked for as the weight moves; the last one while the next is computed. */
+const design = signal<Answer<ControlAnalysis> | null>(null);
+
+export function useAskForDesign(): void {
+  const { app } = useUi();
+  // Not useSignalEffect, which waits for a frame.
+  useEffect(() => {
+    design.value = null;
+    return effect(() => {
+      const draft = app.state.draft.value;
+      if (draft.control?.type !== 'lqr') return;
+      void app.control.analyse(draft, 'panel').then((found) => {
+        if (found) design.value = found;
+      });
+    });
+  }, []);
+}
+
+const useDesign = () => design.value;
+
 export function LqrReadout() {
-  const ui = useUi();
-  const answer = useSignal<Answer<ControlAnalysis> | null>(null);
-  // Not useSignalEffect, which waits for a frame: the design is asked for as the weight moves.
-  useEffect(
-    () =>
-      effect(() => {
-        const draft = ui.app.state.draft.value;
-        if (draft.control?.type !== 'lqr') return;
-        void ui.app.control.analyse(draft, 'panel').then((found) => {
-          if (found) answer.value = found;
-        });
-      }),
-    [],
-  );
-  const now = answer.value;
+  const now = useDesign();
   if (!now)
     return (
       <p class="hint" data-testid="lqr-readout">
@@ -41,10 +47,7 @@ export function LqrReadout() {
         {now.message}
       </p>
     );
-  const { closedLoop, careResidual, reachability, uncontrollable, unseen } = now.value;
-  const slowest = closedLoop?.reduce((a, b) => (b.eigenvalue[0] > a.eigenvalue[0] ? b : a), closedLoop[0]!);
-  const leastDamped = closedLoop?.reduce((a, b) => ((b.damping ?? 1) < (a.damping ?? 1) ? b : a), closedLoop[0]!);
-  const untouched = [...uncontrollable, ...(unseen ?? [])];
+  const { closedLoop } = now.value;
   return (
     <div class="lqr-readout" data-testid="lqr-readout">
       <ComplexPlane open={now.value.eigenvalues} closed={now.value.closedLoopEigenvalues ?? []} />
@@ -61,6 +64,20 @@ export function LqrReadout() {
           ))}
       </p>
       <LqrEffect />
+    </div>
+  );
+}
+
+/** What else is known of the design: how fast and how damped it is, and what it leaves as it is. */
+export function LqrFacts() {
+  const answer = useDesign();
+  if (!answer?.ok) return null;
+  const { closedLoop, careResidual, reachability, uncontrollable, unseen, eigenvalues } = answer.value;
+  const slowest = closedLoop?.reduce((a, b) => (b.eigenvalue[0] > a.eigenvalue[0] ? b : a), closedLoop[0]!);
+  const leastDamped = closedLoop?.reduce((a, b) => ((b.damping ?? 1) < (a.damping ?? 1) ? b : a), closedLoop[0]!);
+  const untouched = [...uncontrollable, ...(unseen ?? [])];
+  return (
+    <div data-testid="lqr-facts">
       <dl class="facts">
         <dt>{words.slowest}</dt>
         <dd>{slowest ? `${formatShort(slowest.timeConstant ?? Infinity, 3)} s` : '–'}</dd>
@@ -69,7 +86,7 @@ export function LqrReadout() {
         <dt>
           {words.reachedBefore} <Term id="reachable">{words.reachedTerm}</Term>
         </dt>
-        <dd>{words.of(reachability.dimension, now.value.eigenvalues.length)}</dd>
+        <dd>{words.of(reachability.dimension, eigenvalues.length)}</dd>
         <dt>{words.residual}</dt>
         <dd>{formatScientific(careResidual ?? NaN)}</dd>
       </dl>

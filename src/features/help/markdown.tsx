@@ -1,18 +1,21 @@
 /** As much of Markdown as our documents use: headings, paragraphs, lists, tables, code, emphasis, links. No markup passes through. */
 import type { ComponentChildren, VNode } from 'preact';
 
+import { Math } from './math.tsx';
+
 type LinkOf = (file: string) => (() => void) | null;
 
-const INLINE = /`([^`]+)`|\*\*([^*]+)\*\*|(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])|!?\[([^\]]*)\]\(([^)]+)\)/g;
+const INLINE = /`([^`]+)`|\$([^$]+)\$|\*\*([^*]+)\*\*|(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])|!?\[([^\]]*)\]\(([^)]+)\)/g;
 
 function inline(text: string, linkOf: LinkOf): ComponentChildren[] {
   const parts: ComponentChildren[] = [];
   let from = 0;
   for (const found of text.matchAll(INLINE)) {
-    const [whole, code, strong, emphasis, label, target] = found;
+    const [whole, code, math, strong, emphasis, label, target] = found;
     parts.push(text.slice(from, found.index));
     from = found.index + whole.length;
     if (code !== undefined) parts.push(<code>{code}</code>);
+    else if (math !== undefined) parts.push(<Math latex={math} />);
     else if (strong !== undefined) parts.push(<strong>{inline(strong, linkOf)}</strong>);
     else if (emphasis !== undefined) parts.push(<em>{emphasis}</em>);
     else if (whole.startsWith('!')) parts.push(label);
@@ -96,10 +99,12 @@ function block(lines: readonly string[], linkOf: LinkOf): VNode {
 
 export function Markdown({ text, linkOf }: { text: string; linkOf: LinkOf }) {
   const out: VNode[] = [];
-  // Every second part stands between fences.
-  text.split(/^```.*$\n?/m).forEach((part, i) => {
-    if (i % 2 === 1) {
-      out.push(<pre tabIndex={0}>{part.trimEnd()}</pre>);
+  // In threes: text, the language of what is fenced, what is fenced.
+  text.split(/^```(\w*)$\n([\s\S]*?)^```$/m).forEach((part, i, parts) => {
+    if (i % 3 === 1) return;
+    if (i % 3 === 2) {
+      const formula = parts[i - 1] === 'math';
+      out.push(formula ? <Math latex={part.trim()} display /> : <pre tabIndex={0}>{part.trimEnd()}</pre>);
       return;
     }
     const blocks = part.replace(/^(#{1,6} .*)$/gm, '\n$1\n').split(/\n\s*\n/);

@@ -18,14 +18,24 @@ function nameOf(path: string, meta: SystemMeta | undefined): string {
   return last !== plain ? text.rateOf(label) : label;
 }
 
+/** A controller is one thing, however much of it is written anew. */
+function together(list: readonly (readonly [string, string])[]): (readonly [string, string])[] {
+  const inControl = list.filter(([path]) => path.startsWith('control.'));
+  return [
+    ...list.filter((entry) => !inControl.includes(entry)),
+    ...(inControl.length > 1 ? [['control', ''] as const] : inControl),
+  ];
+}
+
 export function Changes({ from, to }: { from: ScenarioFile; to: ScenarioFile }) {
   const meta = useUi().app.systemOf(to.system)?.meta;
   const before = new Map(difference({ ...to }, { ...from }));
-  const list = difference({ ...from }, { ...to });
+  const list = together(difference({ ...from }, { ...to }));
   const short = (value: string) =>
     (value.length > LONGEST ? `${value.slice(0, LONGEST)}…` : value).replaceAll('-', '\u2212').replace(/ deg$/, '°');
   const items = list.slice(0, SHOWN).map(([path, value]) => {
     const was = before.get(path);
+    if (path === 'control') return text.changedNames[path]!;
     return `${nameOf(path, meta)} ${was ? `${short(was)} → ` : ''}${value === '' ? text.unset : short(value)}`;
   });
   return (

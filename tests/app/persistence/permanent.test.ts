@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { App } from '../../../src/app/app.ts';
 import { Autosave } from '../../../src/app/persistence/autosave.ts';
 import { linkOf } from '../../../src/app/persistence/links.ts';
+import { decodeLink } from '../../../src/core/scenario/link.ts';
 import { settingValues } from '../../../src/app/state/settings.ts';
 import { systemMetas } from '../../../src/app/store.ts';
 import { appOf, storageOf } from '../appOf.ts';
@@ -137,6 +138,18 @@ describe('work that a link took the place of', () => {
     expect(app.state.draft.value.system).toBe('chaplygin-sleigh');
     expect(stored()).toBe(STORED.edited);
   });
+});
+
+test('a title of one’s own is stored and linked beside the case', () => {
+  const { app, stored } = saving();
+  app.actions.loadCase('released');
+  app.actions.rename('Let go & caught');
+  const text = stored()!;
+  expect(text).toContain('{"case":"released","title":"Let go & caught"}');
+  const again = saving({ work: text });
+  expect(again.app.state.origin.value).toMatchObject({ id: 'released', title: 'Let go & caught' });
+  const link = decodeLink(linkOf(app), { systems: systemMetas, cases: app.cases });
+  expect(link).toMatchObject({ caseId: 'released', title: 'Let go & caught', altered: false });
 });
 
 test('what cannot be used stays stored until something is edited', () => {

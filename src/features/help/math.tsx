@@ -1,0 +1,31 @@
+/** A formula of a document, set through the DOM as the page's security policy asks; its LaTeX where it cannot be set. */
+import { useEffect, useRef } from 'preact/hooks';
+
+const loadKatex = async () => (await Promise.all([import('katex'), import('katex/dist/katex.min.css')]))[0].default;
+
+export function Math({ latex, display = false }: { latex: string; display?: boolean }) {
+  const box = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    let gone = false;
+    loadKatex().then(
+      (katex) => {
+        if (gone || !box.current) return;
+        katex.render(latex, box.current, {
+          output: 'htmlAndMathml',
+          strict: false,
+          throwOnError: false,
+          displayMode: display,
+        });
+      },
+      () => {},
+    );
+    return () => {
+      gone = true;
+    };
+  }, [latex]);
+  return (
+    <span ref={box} class={display ? 'math display' : 'math'} {...(display ? { tabIndex: 0 } : {})}>
+      {latex}
+    </span>
+  );
+}

@@ -16,7 +16,7 @@ test('an edited case loses its claim and says what is not as in it; undone, it h
   app.actions.run();
   draw(<Caption />, { app });
   expect(screen.getByText(summary)).toBeTruthy();
-  act(() => {
+  void act(() => {
     app.actions.edit('gravity', (draft) => withEntry(draft, 'parameters', 'gravity', 1.62));
     app.actions.edit('roll', (draft) => withEntry(draft, 'initial', 'alpha', '5 deg'));
     app.actions.run();
@@ -24,8 +24,8 @@ test('an edited case loses its claim and says what is not as in it; undone, it h
   expect(screen.getByText(`${title}, changed`)).toBeTruthy();
   expect(screen.queryByText(summary)).toBeNull();
   expect((await screen.findByTestId('caption-changes')).textContent).toMatch(/rod roll 5°; gravity.* 1\.62/);
-  act(() => app.actions.goToEdit(0));
-  act(() => app.actions.run());
+  void act(() => app.actions.goToEdit(0));
+  void act(() => app.actions.run());
   expect(screen.getByText(summary)).toBeTruthy();
 });
 
@@ -42,8 +42,8 @@ test('a title of one’s own is what is shown, and an undo takes it back', () =>
   const { title } = first(app);
   app.actions.run();
   draw(<Caption />, { app });
-  act(() => app.actions.rename('  My ride '));
+  void act(() => app.actions.rename('  My ride '));
   expect(screen.getByText('My ride')).toBeTruthy();
-  act(() => app.actions.undo());
+  void act(() => app.actions.undo());
   expect(screen.getByText(title)).toBeTruthy();
 });

@@ -149,9 +149,10 @@ export class Program {
       input: (_array, position) => f64.load(i32.const(0), 8 * position),
       known: new Map(),
       host: (name) => imports.get(name),
+      home: (position) => 8 * (size + position),
     });
     func.body = [body, wanted.map((position, k) => f64.store(i32.const(0), 8 * addresses[k]!, value(position)))];
-    return module.bytes(8 * size + 8);
+    return module.bytes(8 * (size + ops.length));
   }
 }
 

@@ -6,6 +6,7 @@
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import { HERMITE_TERMS } from '../integrators/shared/interpolation.ts';
 import type { Tape, TapeSet } from '../model/tape.ts';
+import type { f64x2 } from './assembler.ts';
 import { branchIf, call, f64, get, i32, set, when, type Code, type Func } from './assembler.ts';
 
 /** Of a number. */
@@ -40,11 +41,15 @@ export interface Layout {
   readonly change: number;
   /** Result of `interpolate`, N. */
   readonly sample: number;
+  /** Of a state that is no step's end, [v, a], N. */
+  readonly rate: number;
   /** Coefficients of the dense output, N each. */
   readonly dense: number;
   /** Places for steps, one after another, `PLACES` of `place` numbers each: what `TOLD` names, then y0, y1 and the slopes, N each. */
   readonly steps: number;
   readonly place: number;
+  /** One for every value of the tape. */
+  readonly scratch: number;
   readonly size: number;
 }
 
@@ -78,7 +83,9 @@ export function layoutOf({ tape, set, tableau, n }: Omit<Kind, 'contact' | 'forc
     heights: take(set.heights.length),
     change: take(set.slip.length),
     sample: take(N),
+    rate: take(N),
     dense: take((HERMITE_TERMS + tableau.dense.length) * N),
+    scratch: take(tape.ops.length),
     steps: take(PLACES * place),
     place,
     size,
@@ -105,27 +112,35 @@ export const evaluate = ({ accelerations, force }: Parts, t: Code, at: Code, to:
   when(i32.eqz(call(accelerations, at, to)), giveUp),
 ];
 
-/** Weighted sum of slopes at the component that a pointer runs over, from the first to the last. */
-export const weighted = (kind: Kind, weights: readonly number[], p: number): Code =>
+/** Weighted sum of slopes at the component that a pointer runs over, from the first to the last; with f64x2, of two of them. */
+export const weighted = (
+  kind: Kind,
+  weights: readonly number[],
+  p: number,
+  of: typeof f64 | typeof f64x2 = f64,
+): Code =>
   weights
     .map((w, j) => ({ w, j }))
     .filter(({ w }) => w !== 0)
-    .map(({ w, j }) => f64.mul(f64.const(w), f64.load(get(p), slopeOf(kind, j))))
-    .reduce((total, term) => f64.add(total, term));
+    .map(({ w, j }) => of.mul(of.const(w), of.load(get(p), slopeOf(kind, j))))
+    .reduce((total, term) => of.add(total, term));
 
-/** A body for each of `count` numbers from an address on, with the local `p` pointing at it. */
-export function each(p: number, from: Code, count: number, body: Code): Code {
+/** A body for each of `count` numbers from an address on, with the local `p` pointing at it. @param step numbers at once */
+export function each(p: number, from: Code, count: number, body: Code, step = 1): Code {
   const left = count * BYTES;
   // The pointer runs; the end is told by its distance from the start, which is computed anew: V8 keeps it in a register.
   return [
     set(p, from),
     [0x03, 0x40],
     body,
-    set(p, i32.add(get(p), i32.const(BYTES))),
+    set(p, i32.add(get(p), i32.const(step * BYTES))),
     branchIf(0, i32.lt(get(p), i32.add(from, i32.const(left)))),
     0x0b,
   ];
 }
+
+/** The same for every two of them: y = [q, v] has always an even number. */
+export const eachPair = (p: number, from: Code, count: number, body: Code): Code => each(p, from, count, body, 2);
 
 export const load = (at: number): Code => f64.load(i32.const(0), at * BYTES);
 export const store = (at: number, value: Code): Code => f64.store(i32.const(0), at * BYTES, value);

@@ -11,6 +11,7 @@ import { writeProgram } from './program.ts';
 interface Exports {
   memory: { buffer: ArrayBuffer };
   accelerations(y: number, rate: number): number;
+  project(y: number): number;
   steps(
     place: number,
     count: number,
@@ -29,6 +30,8 @@ interface Exports {
 
 /** What works with a machine's memory; it is told when another takes its place. */
 export interface Tenant {
+  /** Takes the memory, unless it has it. */
+  claim(): void;
   /** Keeps what it needs: the memory is another's from now on. */
   release(): void;
   /** Generalized forces at time t (s) and the state at an address, into the memory's `force`. */
@@ -56,10 +59,6 @@ export class Machine {
     this.tenant?.release();
     this.tenant = tenant;
     return true;
-  }
-
-  has(tenant: Tenant): boolean {
-    return this.tenant === tenant;
   }
 }
 

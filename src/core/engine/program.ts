@@ -14,6 +14,7 @@ import { writeAttempt, writeSteps } from './writeSteps.ts';
  * The module. It imports the functions of `host.ts` that it calls, and `host.force(t, y)` where forces act, and exports
  *
  *     accelerations(y, rate) -> 1 or 0                  at a state at an address, [v, a] to another
+ *     project(y) -> 1 or 0                              a state at an address onto the constraints, in place
  *     steps(place, count, …) -> how many                steps from the y0 and k_1 of a place on (writeSteps.ts)
  *     makeDense(step, t, h) -> 1 or 0                   coefficients of a step's dense output
  *     interpolate(step, s)                              at a fraction of it, into `sample`

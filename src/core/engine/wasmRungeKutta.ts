@@ -2,8 +2,10 @@ import type { OdeProblem, StepFailure, StepperOptions } from '../integrators/con
 import { EmbeddedRungeKutta } from '../integrators/runge-kutta/embeddedRungeKutta.ts';
 import type { EmbeddedTableau } from '../integrators/runge-kutta/tableau.ts';
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import { Projection } from '../mechanics/projection.ts';
 import { BYTES, PLACES, TOLD } from './layout.ts';
 import type { Machine, Tenant } from './machine.ts';
+import { WasmProjection } from './wasmProjection.ts';
 
 /** Steps that are computed ahead at first, and by how much more each time: a run may end soon. */
 const FIRST_AHEAD = 2;
@@ -115,7 +117,7 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
   private compute(limit: number, most: number, slopeThere: boolean): void {
     const { machine, memory, options, startSlope: slope, y } = this;
     const N = y.length;
-    if (machine.takenBy(this)) memory.set(this.work.constants, machine.layout.constants);
+    this.claim();
     const first = (this.at + 1) % PLACES;
     const to = this.stateAt(first);
     const from = slopeThere && this.at >= 0 ? this.stateAt(this.at) + (2 + this.tableau.stages) * N : -1;
@@ -161,6 +163,16 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
     for (let i = 0, end = from + y.length; i < y.length; i++) y[i] = memory[end + i]!;
     // An event looks at the end of every step: it finds there what the last slope was made of.
     work.dynamics.adopt(this.t, y, memory[told + TOLD.factor]!);
+  }
+
+  claim(): void {
+    const { machine, memory, work } = this;
+    if (machine.takenBy(this)) memory.set(work.constants, machine.layout.constants);
+  }
+
+  /** Projects states of the same dynamics, where no forces act. */
+  projectionOf(dynamics: ConstrainedSystem): Projection {
+    return this.work.forces ? new Projection(dynamics) : new WasmProjection(dynamics, this.machine, this);
   }
 
   /** The last accepted step goes where the class above looks for it. */

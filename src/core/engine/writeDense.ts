@@ -2,8 +2,8 @@
  * Dense output of the module that `program.ts` writes, as EmbeddedRungeKutta makes it (shared/interpolation.ts).
  */
 import { HERMITE_TERMS } from '../integrators/shared/interpolation.ts';
-import { f64, F64, get, giveBack, i32, I32, set, type Code, type Module } from './assembler.ts';
-import { BYTES, each, evaluate, slopeOf, weighted, y1Of, type Parts } from './layout.ts';
+import { f64, F64, f64x2, F64X2, get, giveBack, i32, I32, set, type Code, type Module } from './assembler.ts';
+import { BYTES, eachPair, evaluate, slopeOf, weighted, y1Of, type Parts } from './layout.ts';
 
 /** makeDense(step, t, h): coefficients of a step from its y0 and slopes; 0 where an extra stage has no value. */
 export function writeDense(module: Module, parts: Parts): void {
@@ -14,33 +14,42 @@ export function writeDense(module: Module, parts: Parts): void {
   const [step, t, h] = [0, 1, 2] as const;
   const p = makeDense.local(I32);
   const o = makeDense.local(I32);
-  const difference = makeDense.local();
-  const curvature = makeDense.local();
+  const difference = makeDense.local(F64X2);
+  const curvature = makeDense.local(F64X2);
+  const both = makeDense.local(F64X2);
   const { stages, c, A, dense } = kind.tableau;
   const coefficient = (k: number): number => (layout.dense + k * N) * BYTES;
   const giveUp = giveBack(i32.const(0));
   makeDense.body = [
+    set(both, f64x2.splat(get(h))),
     set(o, i32.const(0)),
-    each(p, get(step), N, [
-      set(difference, f64.sub(f64.load(get(p), y1), f64.load(get(p)))),
-      set(curvature, f64.sub(f64.mul(get(h), f64.load(get(p), slopeOf(kind, 0))), get(difference))),
-      f64.store(get(o), coefficient(0), get(difference)),
-      f64.store(get(o), coefficient(1), get(curvature)),
-      f64.store(
+    eachPair(p, get(step), N, [
+      set(difference, f64x2.sub(f64x2.load(get(p), y1), f64x2.load(get(p)))),
+      set(curvature, f64x2.sub(f64x2.mul(get(both), f64x2.load(get(p), slopeOf(kind, 0))), get(difference))),
+      f64x2.store(get(o), coefficient(0), get(difference)),
+      f64x2.store(get(o), coefficient(1), get(curvature)),
+      f64x2.store(
         get(o),
         coefficient(2),
-        f64.sub(f64.sub(get(difference), f64.mul(get(h), f64.load(get(p), slopeOf(kind, stages)))), get(curvature)),
+        f64x2.sub(
+          f64x2.sub(get(difference), f64x2.mul(get(both), f64x2.load(get(p), slopeOf(kind, stages)))),
+          get(curvature),
+        ),
       ),
-      set(o, i32.add(get(o), i32.const(BYTES))),
+      set(o, i32.add(get(o), i32.const(2 * BYTES))),
     ]),
     A.slice(stages + 1).map((row, k) => {
       const s = stages + 1 + k;
       const sample = layout.sample * BYTES;
       return [
         set(o, i32.const(0)),
-        each(p, get(step), N, [
-          f64.store(get(o), sample, f64.add(f64.load(get(p)), f64.mul(get(h), weighted(kind, row, p)))),
-          set(o, i32.add(get(o), i32.const(BYTES))),
+        eachPair(p, get(step), N, [
+          f64x2.store(
+            get(o),
+            sample,
+            f64x2.add(f64x2.load(get(p)), f64x2.mul(get(both), weighted(kind, row, p, f64x2))),
+          ),
+          set(o, i32.add(get(o), i32.const(2 * BYTES))),
         ]),
         evaluate(
           parts,
@@ -53,11 +62,15 @@ export function writeDense(module: Module, parts: Parts): void {
     }),
     dense.length > 0 ? set(o, i32.const(0)) : [],
     dense.length > 0
-      ? each(p, get(step), N, [
+      ? eachPair(p, get(step), N, [
           dense.map((weights, k) =>
-            f64.store(get(o), coefficient(HERMITE_TERMS + k), f64.mul(weighted(kind, weights, p), get(h))),
+            f64x2.store(
+              get(o),
+              coefficient(HERMITE_TERMS + k),
+              f64x2.mul(weighted(kind, weights, p, f64x2), get(both)),
+            ),
           ),
-          set(o, i32.add(get(o), i32.const(BYTES))),
+          set(o, i32.add(get(o), i32.const(2 * BYTES))),
         ])
       : [],
     i32.const(1),
@@ -71,19 +84,21 @@ export function writeInterpolate(module: Module, { kind, layout }: Parts): void 
   const [step, s] = [0, 1] as const;
   const p = interpolate.local(I32);
   const o = interpolate.local(I32);
-  const r = interpolate.local();
+  const along = interpolate.local(F64X2);
+  const rest = interpolate.local(F64X2);
   const terms = HERMITE_TERMS + kind.tableau.dense.length;
-  const coefficient = (k: number): Code => f64.load(get(o), (layout.dense + k * N) * BYTES);
+  const coefficient = (k: number): Code => f64x2.load(get(o), (layout.dense + k * N) * BYTES);
   const nested = Array.from({ length: terms - 1 }, (_, k) => k).reduceRight<Code>(
-    (total, k) => f64.add(coefficient(k), f64.mul(get(k % 2 === 0 ? r : s), total)),
+    (total, k) => f64x2.add(coefficient(k), f64x2.mul(get(k % 2 === 0 ? rest : along), total)),
     coefficient(terms - 1),
   );
   interpolate.body = [
-    set(r, f64.sub(f64.const(1), get(s))),
+    set(along, f64x2.splat(get(s))),
+    set(rest, f64x2.splat(f64.sub(f64.const(1), get(s)))),
     set(o, i32.const(0)),
-    each(p, get(step), N, [
-      f64.store(get(o), layout.sample * BYTES, f64.add(f64.load(get(p)), f64.mul(get(s), nested))),
-      set(o, i32.add(get(o), i32.const(BYTES))),
+    eachPair(p, get(step), N, [
+      f64x2.store(get(o), layout.sample * BYTES, f64x2.add(f64x2.load(get(p)), f64x2.mul(get(along), nested))),
+      set(o, i32.add(get(o), i32.const(2 * BYTES))),
     ]),
   ];
 }

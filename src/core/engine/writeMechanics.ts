@@ -24,6 +24,12 @@ import { compute, type Places } from './tape.ts';
 /** Functions of the host, by name. */
 type Functions = ReadonlyMap<string, Func>;
 
+/** Addresses for values of a tape: factors have theirs. */
+function homesOf(layout: Layout, factors: readonly number[] = []): (position: number) => number {
+  const known = new Map(factors.map((i, k) => [i, layout.factors + k]));
+  return (i) => (known.get(i) ?? layout.scratch + i) * BYTES;
+}
+
 /** accelerations(y, rate), with lambda and factors to their places. */
 export function accelerationsOf(
   module: Module,
@@ -42,15 +48,16 @@ export function accelerationsOf(
           : load((array === 'f' ? layout.force : fail(array)) + position),
     known: constantsOf(tape, layout),
     host: (name) => functions.get(name),
+    home: homesOf(layout, values.factors),
   };
   const wanted = [...values.rate, ...values.lambda, ...values.factors, ...values.larger, ...values.smaller];
-  const { code, value } = compute(func, tape, wanted, places);
+  const { code, value, kept } = compute(func, tape, wanted, places);
   const total = func.local();
   func.body = [
     code,
     values.rate.map((i, k) => f64.store(get(rate), k * BYTES, value(i))),
     values.lambda.map((i, k) => store(layout.lambda + k, value(i))),
-    values.factors.map((i, k) => store(layout.factors + k, value(i))),
+    values.factors.map((i, k) => (kept(i) && !tape.prepare.includes(i) ? [] : store(layout.factors + k, value(i)))),
     set(
       total,
       values.rate.map((_, k) => f64.load(get(rate), k * BYTES)).reduce((sum, a) => f64.add(sum, a)),
@@ -63,7 +70,10 @@ export function accelerationsOf(
   return func;
 }
 
-/** project(y) in place, as Projection.project at the end of a step. @returns a function that gives 0 where it cannot */
+/**
+ * project(y) in place, as Projection.project.
+ * @returns the same for the end of a step, near its last stage; both give 0 where they cannot
+ */
 export function projectionOf(
   module: Module,
   kind: Kind,
@@ -72,20 +82,21 @@ export function projectionOf(
   accelerations: Func,
 ): Func {
   const { tape, set: values, n, contact, tableau } = kind;
-  const measure = module.func([I32], []);
-  {
-    const { code, value } = compute(measure, tape, [...values.slip, ...values.heights], {
+  /** measured(y): some values of a state to their place. */
+  const measuring = (wanted: readonly number[], to: number): Func => {
+    const func = module.func([I32], []);
+    const { code, value } = compute(func, tape, wanted, {
       input: (array, position) =>
         f64.load(get(0), (position + (array === 'q' ? 0 : array === 'v' ? n : fail(array))) * BYTES),
       known: constantsOf(tape, layout),
       host: (name) => functions.get(name),
+      home: homesOf(layout),
     });
-    measure.body = [
-      code,
-      values.slip.map((i, k) => store(layout.slip + k, value(i))),
-      values.heights.map((i, k) => store(layout.heights + k, value(i))),
-    ];
-  }
+    func.body = [code, wanted.map((i, k) => store(to + k, value(i)))];
+    return func;
+  };
+  const measureSlip = measuring(values.slip, layout.slip);
+  const measureHeights = measuring(values.heights, layout.heights);
   /** shift(x): adds the smallest change in the mass metric that changes Omega x by `change`. */
   const shift = module.func([I32], []);
   {
@@ -93,6 +104,7 @@ export function projectionOf(
       input: (array, position) => (array === 'g' ? load(layout.change + position) : fail(array)),
       known: new Map(values.factors.slice(0, -1).map((i, k) => [i, load(layout.factors + k)])),
       host: (name) => functions.get(name),
+      home: homesOf(layout),
     });
     shift.body = [
       code,
@@ -105,7 +117,7 @@ export function projectionOf(
       return store(layout.change + r, k < 0 ? f64.const(0) : f64.neg(load(from + k)));
     });
   /** Newton's iteration: whether only rounding is left. */
-  const newton = (sizeOf: readonly number[], goal: number, correct: Code, y: Code): Func => {
+  const newton = (sizeOf: readonly number[], goal: number, correct: Code, y: Code, measure: Func): Func => {
     const func = module.func([I32], [I32]);
     const [size, last, i] = [func.local(), func.local(), func.local(I32)] as const;
     func.body = [
@@ -131,30 +143,37 @@ export function projectionOf(
   const rows = values.slip.map((_, r) => r);
   const at = (first: number, count: number): number[] => Array.from({ length: count }, (_, k) => first + k);
   const positions = contact
-    ? newton(at(layout.heights, contact.rows.length), HEIGHT_GOAL, change(contact.rows, layout.heights), get(0))
+    ? newton(
+        at(layout.heights, contact.rows.length),
+        HEIGHT_GOAL,
+        change(contact.rows, layout.heights),
+        get(0),
+        measureHeights,
+      )
     : null;
   const velocities = newton(
     at(layout.slip, rows.length),
     VELOCITY_GOAL,
     change(rows, layout.slip),
     i32.add(get(0), i32.const(n * BYTES)),
+    measureSlip,
   );
   const iterate = module.func([I32], [I32]);
   iterate.body = [
-    call(measure, get(0)),
-    positions ? when(i32.eqz(call(positions, get(0))), giveBack(i32.const(0))) : [],
+    positions ? [call(measureHeights, get(0)), when(i32.eqz(call(positions, get(0))), giveBack(i32.const(0)))] : [],
+    call(measureSlip, get(0)),
     call(velocities, get(0)),
   ];
-  const project = module.func([I32], [I32]);
-  // The factors at hand are of the end's time where the last stage is.
-  const near = tableau.c[tableau.stages - 1] === 1;
+  const project = module.func([I32], [I32], 'project');
   project.body = [
-    near ? when(call(iterate, get(0)), giveBack(i32.const(1))) : [],
-    // The slope goes where nothing is kept before the dense output is made.
-    when(i32.eqz(call(accelerations, get(0), i32.const(layout.sample * BYTES))), giveBack(i32.const(0))),
+    when(i32.eqz(call(accelerations, get(0), i32.const(layout.rate * BYTES))), giveBack(i32.const(0))),
     call(iterate, get(0)),
     0x1a,
     i32.const(1),
   ];
-  return project;
+  // The factors at hand are of the end's time where the last stage is.
+  if (tableau.c[tableau.stages - 1] !== 1) return project;
+  const near = module.func([I32], [I32]);
+  near.body = [when(call(iterate, get(0)), giveBack(i32.const(1))), call(project, get(0))];
+  return near;
 }

@@ -18,6 +18,8 @@ import {
   call,
   f64,
   F64,
+  f64x2,
+  F64X2,
   forever,
   get,
   giveBack,
@@ -29,7 +31,7 @@ import {
   type Func,
   type Module,
 } from './assembler.ts';
-import { BYTES, each, evaluate, load, slopeOf, TOLD, weighted, y1Of, type Parts } from './layout.ts';
+import { BYTES, each, eachPair, evaluate, load, slopeOf, TOLD, weighted, y1Of, type Parts } from './layout.ts';
 
 /** attempt(step, t, h, rtol, atol, projecting): scaled error of a step from its y0 and k_1; NaN where it has none. */
 export function writeAttempt(module: Module, parts: Parts, project: Func): Func {
@@ -45,14 +47,15 @@ export function writeAttempt(module: Module, parts: Parts, project: Func): Func 
   const r = attempt.local();
   const none = giveBack(f64.const(NaN));
   const { stages, c, A, error, lowOrderError } = kind.tableau;
-  const body: Code[] = [];
+  const both = attempt.local(F64X2);
+  const body: Code[] = [set(both, f64x2.splat(get(h)))];
   for (let s = 1; s <= stages; s++) {
     body.push(
-      each(
+      eachPair(
         p,
         get(step),
         N,
-        f64.store(get(p), y1, f64.add(f64.load(get(p)), f64.mul(get(h), weighted(kind, A[s]!, p)))),
+        f64x2.store(get(p), y1, f64x2.add(f64x2.load(get(p)), f64x2.mul(get(both), weighted(kind, A[s]!, p, f64x2)))),
       ),
     );
     if (s < stages)
@@ -197,9 +200,9 @@ export function writeSteps(module: Module, parts: Parts, attempt: Func, pow: Fun
       tell('factor', load(layout.factors + kind.set.factors.length - 1)),
       set(made, i32.add(get(made), i32.const(1))),
       branchIf(1, i32.ge(get(made), get(count))),
-      each(p, y0, 2 * kind.n, [
-        f64.store(get(p), layout.place * BYTES, f64.load(get(p), y1Of(kind))),
-        f64.store(get(p), layout.place * BYTES + slopeOf(kind, 0), f64.load(get(p), slopeOf(kind, stages))),
+      eachPair(p, y0, 2 * kind.n, [
+        f64x2.store(get(p), layout.place * BYTES, f64x2.load(get(p), y1Of(kind))),
+        f64x2.store(get(p), layout.place * BYTES + slopeOf(kind, 0), f64x2.load(get(p), slopeOf(kind, stages))),
       ]),
       set(place, i32.add(get(place), i32.const(layout.place * BYTES))),
     ]),

@@ -16,11 +16,13 @@ export const ROUNDING = 1e-13;
  * by simplified Newton. At the end of a step the factors of its last stage are tried first.
  */
 export class Projection {
-  private readonly dynamics: ConstrainedSystem;
+  protected readonly dynamics: ConstrainedSystem;
   private readonly w: Float64Array;
+  private readonly a: Float64Array;
 
   constructor(dynamics: ConstrainedSystem) {
     this.dynamics = dynamics;
+    this.a = new Float64Array(dynamics.n);
     this.w = new Float64Array(dynamics.m);
   }
 
@@ -85,9 +87,18 @@ export class Projection {
 
   /** Largest of |Omega v| (m/s) and |heights| (m) at a state. */
   residual(q: Float64Array, v: Float64Array): number {
-    const d = this.dynamics;
-    if (d.m === 0) return 0;
-    d.measure(q, v);
-    return Math.max(maxAbs(d.slip), maxAbs(d.heights));
+    if (this.dynamics.m === 0) return 0;
+    this.dynamics.measure(q, v);
+    return this.left;
+  }
+
+  /** The same as last measured: at the state that was projected last. */
+  get left(): number {
+    return Math.max(maxAbs(this.dynamics.slip), maxAbs(this.dynamics.heights));
+  }
+
+  /** Multipliers (m) at a state; false where there are none. */
+  multipliers(t: number, q: Float64Array, v: Float64Array, lambda: Float64Array): boolean {
+    return this.dynamics.acceleration(t, q, v, this.a, lambda);
   }
 }

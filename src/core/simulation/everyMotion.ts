@@ -39,6 +39,7 @@ function everyMotion(info: MethodInfo, method: MethodOptions, dynamics: Constrai
     map: formulation,
     stepper: wasm ?? createStepper(info.id, formulation, method)!,
     problem: formulation,
+    ...(wasm ? { rowProjection: (rows: ConstrainedSystem) => wasm.projectionOf(rows) } : {}),
   };
 }
 

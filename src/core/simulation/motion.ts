@@ -3,6 +3,7 @@ import { FirstOrder } from '../mechanics/firstOrder.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
 import type { formulations } from '../mechanics/formulations/formulations.ts';
 import { Multipliers } from '../mechanics/formulations/multipliers.ts';
+import type { Projection } from '../mechanics/projection.ts';
 import type { OdeProblem, Stepper } from '../integrators/contract.ts';
 import { explicitSteppers } from '../integrators/explicit.ts';
 import { methods, type MethodInfo } from '../integrators/methods.ts';
@@ -19,6 +20,8 @@ export interface Motion {
   stepper: Stepper;
   /** The stepper's, for a projection of its steps' ends. `ida` has none: its residual is stabilized. */
   problem?: OdeProblem;
+  /** What projects rows, where it is not the dynamics' own. */
+  rowProjection?: (dynamics: ConstrainedSystem) => Projection;
 }
 
 export type MakeMotion = (info: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem) => Motion;

@@ -130,7 +130,6 @@ export class Simulation {
   private readonly events: EventFunction[];
   private readonly eventValues: Float64Array;
   private chunk: Float64Array[];
-  private readonly a: Float64Array;
   private readonly lambda: Float64Array;
   private readonly u: Float64Array;
   private readonly energies = new Float64Array(2);
@@ -191,8 +190,6 @@ export class Simulation {
     );
     this.projection = new Projection(this.dynamics);
     this.rowDynamics = new ConstrainedSystem(system, parameters, scenario.constraints, hold, forced(this.actuation));
-    this.rowProjection = new Projection(this.rowDynamics);
-    this.a = new Float64Array(n);
     this.lambda = new Float64Array(this.dynamics.m);
     this.u = new Float64Array(this.actuation.names.length);
     this.endQ = new Float64Array(n);
@@ -204,7 +201,8 @@ export class Simulation {
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
     this.eventValues = new Float64Array(this.events.length);
-    const { engine, map, stepper, problem } = motionOf(scenario.method, this.dynamics);
+    const { engine, map, stepper, problem, rowProjection } = motionOf(scenario.method, this.dynamics);
+    this.rowProjection = rowProjection?.(this.rowDynamics) ?? new Projection(this.rowDynamics);
     this.engine = engine;
     this.notes =
       scenario.method.engine === 'wasm' && engine !== 'wasm'
@@ -475,6 +473,14 @@ export class Simulation {
     let first: { event: EventFunction; time: number } | null = null;
     for (let e = 0; e < events.length; e++) {
       const event = events[e]!;
+      if (event.looks === 1) {
+        const before = this.eventValues[e]!;
+        const value = (this.eventValues[e] = event.value(t, this.endQ, this.endV));
+        if (value > 0 || !(before > 0)) continue;
+        const time = this.bisect(event, previousT, t);
+        if (!first || time < first.time) first = { event, time };
+        continue;
+      }
       const values = [this.eventValues[e]!];
       const times = [previousT];
       for (let look = 1; look <= event.looks; look++) {
@@ -505,7 +511,7 @@ export class Simulation {
       if (!(lowValue > 0)) continue;
       if (!(highValue > 0)) return this.bisect(event, low, high);
       // A parabola that dips below zero between two of its values changes by four times the lesser between two others.
-      if (event.looks === 1 || Math.min(lowValue, highValue) > change) continue;
+      if (Math.min(lowValue, highValue) > change) continue;
       const dip = dipBetween((time) => this.valueAt(event, time), low, lowValue, high, highValue);
       if (dip !== null) return this.bisect(event, low, dip);
     }
@@ -527,7 +533,7 @@ export class Simulation {
   /** One row: the state in `sampleQ`, `sampleV`, projected if projection is on, and what is derived from it. Ends the run where that is not finite. */
   private emit(time: number): void {
     const { n, extras, rowDynamics: dynamics, sampleQ: q, sampleV: v } = this;
-    if (this.projecting) this.rowProjection.project(time, q, v);
+    const projected = this.projecting && this.rowProjection.project(time, q, v);
     if (!(maxAbs(q) < Infinity && maxAbs(v) < Infinity))
       return this.stop('non-finite', this.failureMessage('non-finite', time), time);
     if (this.rows >= this.chunk[0]!.length) this.grow();
@@ -537,12 +543,12 @@ export class Simulation {
     for (let i = 0; i < n; i++) this.chunk[c++]![row] = q[i]!;
     for (let i = 0; i < n; i++) this.chunk[c++]![row] = v[i]!;
     if (extras.has('lambda')) {
-      if (!dynamics.acceleration(time, q, v, this.a, this.lambda)) this.lambda.fill(NaN);
+      if (!this.rowProjection.multipliers(time, q, v, this.lambda)) this.lambda.fill(NaN);
       for (let r = 0; r < dynamics.m; r++) this.chunk[c++]![row] = this.lambda[r]!;
     }
     (this.charts ?? this.system).energy(q, v, dynamics.parameters, this.energies);
     this.balance.row(this.energies[0]!, this.energies[1]!);
-    const residual = this.rowProjection.residual(q, v);
+    const residual = projected ? this.rowProjection.left : this.rowProjection.residual(q, v);
     this.largestResidual = Math.max(this.largestResidual, residual);
     if (extras.has('energy')) this.chunk[c++]![row] = this.energies[0]! + this.energies[1]!;
     if (extras.has('residual')) this.chunk[c++]![row] = residual;
@@ -569,7 +575,9 @@ export class Simulation {
   }
 
   private newChunk(): Float64Array[] {
-    return this.columns.map(() => new Float64Array(CHUNK_ROWS));
+    const { duration, outputStep } = this.scenario;
+    const rows = Math.min(CHUNK_ROWS, Math.ceil(duration / outputStep) + 2);
+    return this.columns.map(() => new Float64Array(rows));
   }
 
   private failureMessage(reason: string, t: number): string {

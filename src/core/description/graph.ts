@@ -160,7 +160,7 @@ export class Graph {
     const { op, value } = this;
     if (a === this.zero) return a;
     if (b === this.one) return a;
-    if (op[b] === code.const && value[b] !== 0) {
+    if (op[b] === code.const) {
       if (op[a] === code.const) return this.number(value[a]! / value[b]!);
       if (value[b] === -1) return this.neg(a);
     }

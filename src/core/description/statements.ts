@@ -170,8 +170,8 @@ export const statements: Readonly<Record<string, Statement>> = {
       words(r, BODY_WORDS, (word) => {
         if (word === 'mass') mass = r.scalar(...BODY_WORDS);
         if (word === 'inertia') inertia = inertias(r);
-        if (word === 'at') position = r.vector(...BODY_WORDS);
-        if (word === 'origin') origin = r.vector(...BODY_WORDS);
+        if (word === 'at') position = place(r, b, ...BODY_WORDS);
+        if (word === 'origin') origin = place(r, b, ...BODY_WORDS);
         if (word === 'in') frame = r.frame();
         if (word === 'first' || word === 'second') role = word;
         text ??= label(r);
@@ -380,7 +380,7 @@ export const statements: Readonly<Record<string, Statement>> = {
         b.model.tracks.push({ body, label: label(r) ?? b.model.bodies[body]!.label });
         return;
       }
-      const position = r.vector();
+      const position = place(r, b);
       b.addTrack(name, position, label(r), r);
     },
   },
@@ -415,6 +415,13 @@ function way(r: Reader, b: Builder): { along: [string, string]; heading: string 
   const second = named();
   r.expect('heading', example);
   return { along: [`${first}_dot`, `${second}_dot`], heading: named() };
+}
+
+/** A place: a vector without rates in it. */
+function place(r: Reader, b: Builder, ...stops: string[]): Vector {
+  const ids = r.vector(...stops);
+  for (const id of ids) b.ofPlace(r, id);
+  return ids;
 }
 
 /** `a = b` as a - b. */

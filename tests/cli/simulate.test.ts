@@ -116,7 +116,7 @@ test('--verify tells on standard output how many digits hold, and behind the tab
 test('--verify without a file leaves standard output to the table', () => {
   const { file } = place({ ...WHEEL, system: 'ripstik', inputs: {}, initial: { alpha: '10 deg' } });
   const { status, stdout, stderr } = simulate(file, '--verify');
-  expect(status).toBe(3);
+  expect(status, stderr).toBe(3);
   expect(stdout).toMatch(/^t,X,Y,Z/);
   const json = stderr.split('\n').find((line) => line.startsWith('{'))!;
   const { digits, until } = JSON.parse(json) as { digits: [number, number][]; until: Record<string, number> };

@@ -13,6 +13,8 @@ export interface Feedback {
   asked(t: number, q: Float64Array, v: Float64Array): number;
   /** The most that the input gives, either way. */
   readonly limit: number;
+  /** Coordinates (n) that it holds the state at when t = 0, where it is a regulator about one point. */
+  readonly point?: Float64Array;
   /** What counts, by past inputs (newest first, those of one moment in the controller's order), off what is asked. */
   readonly past?: Float64Array;
   /** The same by what the lagging actuators give now, in the controller's order. */

@@ -17,6 +17,7 @@ import { dependentWords, singularMassWords, type System } from '../model/system.
 import { methods } from '../integrators/methods.ts';
 import { DEFAULT_STEP } from '../integrators/shared/fixedStepper.ts';
 import { motionOf } from './motion.ts';
+import { turnsAway, turnWarnings } from './turnsAway.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';
 
@@ -170,9 +171,12 @@ export class Simulation {
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
     const unresolved = stepped.plan && fixedStepOf(scenario.method);
-    this.warnings = unresolved
-      ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
-      : [];
+    this.warnings = [
+      ...(unresolved
+        ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
+        : []),
+      ...(feedback && !from ? turnWarnings(turnsAway(meta, start.q, feedback.values())) : []),
+    ];
     this.q = start.q;
     this.v = start.v;
     this.hand = pushes ? new PushForce(system, parameters) : null;

@@ -14,7 +14,7 @@ import type { System } from '../../model/system.ts';
 export class StateFeedback implements Feedback {
   private readonly gainQ: Float64Array;
   private readonly gainV: Float64Array;
-  private readonly q0: Float64Array;
+  readonly point: Float64Array;
   private readonly v0: Float64Array;
   readonly limit: number;
   readonly past: Float64Array;
@@ -35,14 +35,14 @@ export class StateFeedback implements Feedback {
     const n = q0.length;
     this.gainQ = Float64Array.from({ length: n }, (_, i) => gain[i]!);
     this.gainV = Float64Array.from({ length: n }, (_, i) => gain[n + i]!);
-    this.q0 = q0;
+    this.point = q0;
     this.v0 = v0;
     this.limit = limit;
   }
 
   /** What the gain asks, before any limit. */
   asked(t: number, q: Float64Array, v: Float64Array): number {
-    const { gainQ, gainV, q0, v0 } = this;
+    const { gainQ, gainV, point: q0, v0 } = this;
     let u = 0;
     for (let i = 0; i < q0.length; i++) {
       u -= gainQ[i]! * (q[i]! - q0[i]! - v0[i]! * t) + gainV[i]! * (v[i]! - v0[i]!);

@@ -1,0 +1,48 @@
+import type { Feedback } from '../mechanics/forcing.ts';
+import type { SystemMeta } from '../model/system.ts';
+
+/** From here on a start is on another turn, so that half a turn is a start like any other. */
+const WHOLE = 2 * Math.PI * 0.99;
+
+/**
+ * Angles that a run starts a whole turn or more from a regulator's point and that the regulator feeds back: it drives the
+ * state round by that turn, although the attitude is the same.
+ *
+ * @param q n coordinates at the start, rad and m
+ * @param feedback of each input
+ */
+export function turnsAway(
+  meta: SystemMeta,
+  q: Float64Array,
+  feedback: Iterable<Feedback>,
+): { name: string; turns: number }[] {
+  const n = q.length;
+  const slopes = new Float64Array(2 * n);
+  let point: Float64Array | undefined;
+  const v = new Float64Array(n);
+  for (const loop of feedback) {
+    if (!loop.point) continue;
+    point = loop.point;
+    const row = new Float64Array(2 * n);
+    loop.addSlopes(0, q, v, 1, 0, row.subarray(0, n), row.subarray(n));
+    row.forEach((slope, i) => (slopes[i]! += Math.abs(slope)));
+  }
+  if (!point) return [];
+  const at = point;
+  return meta.coordinates.flatMap(({ name, kind }, i) => {
+    const off = q[i]! - at[i]!;
+    const fed = kind === 'angle' && slopes[i]! > 0;
+    return fed && Math.abs(off) >= WHOLE ? [{ name, turns: Math.round(off / (2 * Math.PI)) }] : [];
+  });
+}
+
+/** The same as warnings of a run. */
+export const turnWarnings = (away: readonly { name: string; turns: number }[]): string[] =>
+  away.map(({ name, turns }) => {
+    const count = Math.abs(turns) === 1 ? 'a full turn' : `${Math.abs(turns)} full turns`;
+    const angle = `${360 * Math.abs(turns)}°`;
+    return (
+      `${name} starts ${count} ${turns > 0 ? 'above' : 'below'} the regulator's point, which drives it all the way round: ` +
+      `for the same attitude ${turns > 0 ? 'take' : 'add'} ${angle} ${turns > 0 ? 'from' : 'to'} it`
+    );
+  });

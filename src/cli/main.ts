@@ -6,7 +6,7 @@ import { computerReport } from '../core/control/sampled/computerReport.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
-import { bench } from './bench.ts';
+import { bench } from './bench/bench.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
 import { read, type ReadOptions } from './read.ts';

@@ -5,7 +5,7 @@ import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts
 import { actuationOf } from '../../src/core/simulation/actuation.ts';
 import { motionOf } from '../../src/core/simulation/motion.ts';
 import { systems } from '../../src/core/systems/all.ts';
-import { MujocoBoard } from '../../tools/bench/mujoco.ts';
+import { MujocoBoard } from '../../src/cli/bench/mujoco.ts';
 import { runOf, scenarioOf, seeded } from '../helpers.ts';
 
 const meta = systems['ripstik']!.meta;

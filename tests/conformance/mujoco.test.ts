@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
 import { systems } from '../../src/core/systems/all.ts';
-import { MujocoBoard } from '../../tools/bench/mujoco.ts';
+import { MujocoBoard } from '../../src/cli/bench/mujoco.ts';
 import { scenarioOf, seeded } from '../helpers.ts';
 
 const system = systems['ripstik']!;

@@ -1,8 +1,8 @@
-import type { Caller, Job } from '../../src/cli/bench/apart.ts';
-import { Checksum, settle } from '../../src/cli/bench/measure.ts';
-import { ENOUGH, boards, caseNamed, timedRun } from '../../src/cli/bench/stepping.ts';
-import { methods, type MethodInfo } from '../../src/core/integrators/methods.ts';
-import type { ScenarioFile } from '../../src/core/scenario/types.ts';
+import type { Caller, Job } from './apart.ts';
+import { Checksum, settle } from './measure.ts';
+import { ENOUGH, boards, caseNamed, timedRun } from './stepping.ts';
+import { methods, type MethodInfo } from '../../core/integrators/methods.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
 
 /**
  * Error at the end of a run against its work, for every method (the diagrams of Hairer, Nørsett and Wanner, Solving

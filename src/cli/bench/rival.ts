@@ -1,6 +1,6 @@
-import { SEED, STATES, constrainedAcceleration } from '../../src/cli/bench/accelerations.ts';
-import { Checksum, measureTogether, type MeasureOptions, type Times, type Work } from '../../src/cli/bench/measure.ts';
-import { consistentStates, dynamicsOf, scenarioOf, type State } from '../../src/cli/bench/states.ts';
+import { SEED, STATES, constrainedAcceleration } from './accelerations.ts';
+import { Checksum, measureTogether, type MeasureOptions, type Times, type Work } from './measure.ts';
+import { consistentStates, dynamicsOf, scenarioOf, type State } from './states.ts';
 import { MujocoBoard, type RootJoint } from './mujoco.ts';
 
 /** Largest difference of accelerations, relative to the largest, at which both sides still compute the same mechanics. */

@@ -10,7 +10,7 @@ const USAGE = `npm run bench -- [--json] [--quick] [--write]
   --write   write docs/performance.md, docs/bench/*.csv, *.svg and results.json`;
 
 function write({ results, work }: Measured): void {
-  const docs = (name: string): URL => new URL(`../../docs/${name}`, import.meta.url);
+  const docs = (name: string): URL => new URL(`../../../docs/${name}`, import.meta.url);
   for (const problem of Object.keys(work) as Problem[]) {
     writeFileSync(docs(`bench/${problem}.csv`), csvOf(work[problem]));
     for (const [name, svg] of Object.entries(picturesOf(problem, work[problem])))

@@ -5,9 +5,16 @@ import { here } from '../../src/cli/bench/apart.ts';
 import { Checksum, QUICK, quantile } from '../../src/cli/bench/measure.ts';
 import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
-import { measureAll, type Measured } from './measureAll.ts';
-import { fillPage, picturesOf, tables, type Results } from './report.ts';
-import { BRIEF, costAt, csvOf, workPrecision, type Problem, type WorkPoint } from './workPrecision.ts';
+import { measureAll, type Measured } from '../../src/cli/bench/measureAll.ts';
+import { fillPage, picturesOf, tables, type Results } from '../../src/cli/bench/report.ts';
+import {
+  BRIEF,
+  costAt,
+  csvOf,
+  workPrecision,
+  type Problem,
+  type WorkPoint,
+} from '../../src/cli/bench/workPrecision.ts';
 
 const ids = methods.map((m) => m.id);
 const docs = (name: string): string => readFileSync(new URL(`../../docs/${name}`, import.meta.url), 'utf8');

@@ -1,9 +1,9 @@
-import type { Caller, Job } from '../../src/cli/bench/apart.ts';
-import { Checksum, settle } from '../../src/cli/bench/measure.ts';
-import { caseNamed, timedRun } from '../../src/cli/bench/stepping.ts';
-import { otherMethods, reportMethods, type MethodChoice } from '../../src/core/cases/methodSets.ts';
-import { methods } from '../../src/core/integrators/methods.ts';
-import { systems } from '../../src/core/systems/all.ts';
+import type { Caller, Job } from './apart.ts';
+import { Checksum, settle } from './measure.ts';
+import { caseNamed, timedRun } from './stepping.ts';
+import { otherMethods, reportMethods, type MethodChoice } from '../../core/cases/methodSets.ts';
+import { methods } from '../../core/integrators/methods.ts';
+import { systems } from '../../core/systems/all.ts';
 
 /** The report's best: collocation, 5.8 s of output in 26.4 s (its Table 1). */
 export const REPORT_RATE = 5.8 / 26.4;

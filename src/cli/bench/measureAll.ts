@@ -1,7 +1,7 @@
 import { loadavg } from 'node:os';
-import { bench } from '../../src/cli/bench.ts';
-import { apart, here } from '../../src/cli/bench/apart.ts';
-import { QUICK, THOROUGH } from '../../src/cli/bench/measure.ts';
+import { bench } from './bench.ts';
+import { apart, here } from './apart.ts';
+import { QUICK, THOROUGH } from './measure.ts';
 import { race } from './race.ts';
 import { summaryOf, type Results } from './report.ts';
 import { rival } from './rival.ts';

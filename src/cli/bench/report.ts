@@ -1,5 +1,5 @@
-import type { BenchReport } from '../../src/cli/bench.ts';
-import type { Times } from '../../src/cli/bench/measure.ts';
+import type { BenchReport } from './bench.ts';
+import type { Times } from './measure.ts';
 import { diagram, type Curve } from './plot.ts';
 import type { RaceEntry } from './race.ts';
 import type { RivalReport } from './rival.ts';

@@ -1,7 +1,7 @@
-import { accelerations, type AccelerationReport } from './bench/accelerations.ts';
-import { apart, type Caller } from './bench/apart.ts';
-import { THOROUGH, machine, type Machine, type MeasureOptions } from './bench/measure.ts';
-import { boards, stepping, type Board, type SteppingReport } from './bench/stepping.ts';
+import { accelerations, type AccelerationReport } from './accelerations.ts';
+import { apart, type Caller } from './apart.ts';
+import { THOROUGH, machine, type Machine, type MeasureOptions } from './measure.ts';
+import { boards, stepping, type Board, type SteppingReport } from './stepping.ts';
 
 /** What `bench` prints: the two figures first, then what stands behind them. Processor time throughout. */
 export interface BenchReport {

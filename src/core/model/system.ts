@@ -203,6 +203,8 @@ export interface SystemMeta {
   forward?: { along: readonly [string, string]; heading: string };
   /** Inputs that a regulator is first offered with; all of them where this is left out. */
   regulators?: readonly string[];
+  /** Feet that pump: the inputs whose targets a gait gives (front, back), the parameter that is each wheel's drag (N·s/m), what a rider holds still meanwhile. */
+  gait?: { feet: readonly [string, string]; drag?: string; hold?: readonly string[] };
   bodies: readonly BodyMeta[];
   /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
   optionalForces?: readonly string[];

@@ -109,6 +109,7 @@ export const ripstikRiderMeta = {
     },
     ...board.inputs,
   ],
+  gait: { feet: ['tau_af', 'tau_ab'], drag: 'wheelDrag', hold: ['beta'] },
   regulators: ['tau_af', 'tau_ab'],
   bodies: [...board.bodies, { id: 'rider', label: 'rider', role: 'neutral' }],
   spoken: [...board.spoken, { label: 'rider’s lean', values: [['beta']] }],

@@ -1,6 +1,7 @@
 /** The application as the views have it: state to read, actions to ask for, events to hear, services to use. `store.ts` makes it. */
 import type { ReadonlySignal } from '@preact/signals';
 import type { ControlClient } from '../compute/client/controlClient.ts';
+import type { GaitClient } from '../compute/client/gaitClient.ts';
 import type { LocusClient } from '../compute/client/locusClient.ts';
 import type { MechanicsClient } from '../compute/client/mechanicsClient.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
@@ -138,6 +139,7 @@ export interface App {
   /** Regulators tried in whole runs. */
   effect: ControlClient;
   locus: LocusClient;
+  gait: GaitClient;
   /** The equations in numbers. */
   mechanics: MechanicsClient;
   comparison: Comparison;

@@ -237,6 +237,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     control: compute.control,
     effect: compute.effect,
     locus: compute.locus,
+    gait: compute.gait,
     mechanics: compute.mechanics,
     comparison,
     pinned,

@@ -7,6 +7,7 @@ import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
 import { bench } from './bench/bench.ts';
+import { gaitReport, type GaitOptions } from './gait.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
 import { read, type ReadOptions } from './read.ts';
@@ -24,6 +25,9 @@ const USAGE = `Usage:
        [--tests TESTS.json] [--report OUT.json] [--junit OUT.xml]    (without --tests: those that come with the system)
   npm run --silent ripstik -- read FILE [--out RUN.csv]              any table of numbers: what is understood, as JSON; its rows as CSV
        [--units alpha=deg,…] [--map theta=yaw,…] [--time COLUMN] [--step SECONDS] [--system ID] [--run N] [--body NAME] [--scalar first|last] [--rates savitzky-golay]
+  npm run --silent ripstik -- gait SYSTEM [--speed 1] [--search]     the amplitude with which feet that pump hold a speed, or the cheapest
+       [--frequency HZ] [--phase DEG] [--bias DEG] [--twist DEG]     gait that does, what a metre costs, and its scenario, as JSON
+       [--harmonics 2,3] [--parameters wheelDrag=0.5,…]
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
@@ -77,6 +81,25 @@ function readOptions(rest: string[]): ReadOptions {
   return Object.fromEntries(names.map((name) => [name, takeOption(rest, `--${name}`)]));
 }
 
+/** Systems with feet that pump. */
+const riders = Object.values(metas)
+  .filter(({ gait }) => gait !== undefined)
+  .map(({ id }) => id);
+
+function gaitOptions(rest: string[]): GaitOptions {
+  const option = (name: string): string | undefined => takeOption(rest, `--${name}`);
+  return {
+    speed: option('speed'),
+    frequency: option('frequency'),
+    phase: option('phase'),
+    bias: option('bias'),
+    twist: option('twist'),
+    parameters: option('parameters'),
+    harmonics: option('harmonics'),
+    search: takeFlag(rest, '--search'),
+  };
+}
+
 async function main(args: readonly string[]): Promise<number> {
   const [command, ...rest] = args;
   const out = takeOption(rest, '--out');
@@ -85,6 +108,7 @@ async function main(args: readonly string[]): Promise<number> {
     command === 'test'
       ? { tests: takeOption(rest, '--tests'), report: takeOption(rest, '--report'), junit: takeOption(rest, '--junit') }
       : null;
+  const pumping = command === 'gait' ? gaitOptions(rest) : null;
   const reading = command === 'read' ? readOptions(rest) : {};
   const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
   if (verify && command !== 'simulate') throw new UsageError('--verify is for simulate');
@@ -111,6 +135,12 @@ async function main(args: readonly string[]): Promise<number> {
     case 'read':
       print(await read(rest[0], metas, { out, ...reading }));
       return 0;
+    case 'gait': {
+      const system = rest[0] === undefined ? undefined : await loadSystem(rest[0]);
+      if (!system) throw new UsageError(`which system? Right would be ${riders.join(', ')}`);
+      print(gaitReport(system, pumping!));
+      return 0;
+    }
     case 'cases':
       listCases(rest[0]);
       return 0;
@@ -124,7 +154,7 @@ async function main(args: readonly string[]): Promise<number> {
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(
-        `no command "${command}"; there are simulate, point, linearize, test, read, cases and bench`,
+        `no command "${command}"; there are simulate, point, linearize, test, read, gait, cases and bench`,
       );
   }
 }

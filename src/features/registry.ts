@@ -5,6 +5,7 @@ export { now } from './now/manifest.tsx';
 export { plots } from './plots/manifest.tsx';
 export { equations } from './equations/manifest.tsx';
 export { analysis } from './analysis/manifest.tsx';
+export { gaits } from './gaits/manifest.tsx';
 export { methods } from './methods/manifest.tsx';
 export { trust } from './trust/manifest.tsx';
 export { compare } from './compare/manifest.tsx';

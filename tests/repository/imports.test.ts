@@ -34,6 +34,7 @@ const CORE: Table = {
   engine: ['model', 'integrators', 'mechanics'],
   simulation: ['linalg', 'model', 'integrators', 'mechanics', 'engine', 'scenario'],
   motion: ['linalg', 'model', 'cases', 'simulation'],
+  gait: ['model', 'scenario', 'simulation', 'motion'],
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
 };

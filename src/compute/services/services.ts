@@ -6,5 +6,6 @@ export const services = {
   sweep: async () => (await import('./sweep.ts')).calls,
   control: async () => (await import('./control.ts')).calls,
   mechanics: async () => (await import('./mechanics.ts')).calls,
+  gait: async () => (await import('./gait.ts')).calls,
   csv: async () => (await import('./csv.ts')).calls,
 } satisfies Loaders;

@@ -1,0 +1,43 @@
+/** Every word of the tool for pumping gaits. */
+export const words = {
+  noFeet: (title: string) => `${title} has no feet that pump. Choose the RipStik, with or without a rider.`,
+  intro:
+    'A rider makes the board move without a push: the feet sway both plates to and fro. Change how they sway and the board on the stage does it.',
+  gait: 'How the feet sway',
+  amplitude: 'amplitude',
+  frequency: 'frequency',
+  phase: 'back foot ahead of the front foot',
+  bias: 'both lean by',
+  twist: 'plates twisted by',
+  footprint: 'Roll of the back plate over roll of the front plate, one stroke',
+  front: 'front ρ',
+  back: 'back ρ',
+  ride: 'Put it on the stage',
+  cost: 'What a metre costs',
+  speed: 'speed to hold',
+  noDrag: (used: string) => `The wheels roll without drag, which any speed holds: the figures take ${used} a wheel.`,
+  hold: 'Find the amplitude',
+  search: 'Find the cheapest',
+  searchHint:
+    'The cheapest is searched over frequency and the phase between the feet, with harmonics where they are let in; the amplitude always holds the speed.',
+  harmonics: 'Let second and third harmonics in',
+  trying: (tried: number, best: string | null) =>
+    best === null ? `Gait ${tried + 1} …` : `${tried} gaits tried, the cheapest so far costs ${best}`,
+  cancel: 'Cancel',
+  nothing: 'Cancelled before there was a gait.',
+  use: 'Use this gait',
+  results: {
+    cost: 'work of the feet a metre',
+    gross: 'the same with nothing given back',
+    transport: 'cost of transport (work over weight and way)',
+    torque: 'largest torque of a foot',
+    amplitude: 'amplitude',
+    frequency: 'frequency',
+    phase: 'back foot ahead',
+    speed: 'mean speed along the path',
+  },
+  table: 'Figures of the gait that holds the speed',
+  title: 'Pumped',
+  label: 'gait',
+  drag: (x: string) => `${x} N·s/m`,
+} as const;

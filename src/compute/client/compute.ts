@@ -10,7 +10,8 @@ import { RunClient } from './runClient.ts';
 import { SweepClient } from './sweepClient.ts';
 
 /** What a worker is started for; all are the same program, and the name is seen in the browser's tools. */
-export type Purpose = 'run' | 'trust' | 'control' | 'effect' | 'locus' | 'gait' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
+export type Purpose =
+  'run' | 'trust' | 'control' | 'effect' | 'locus' | 'gait' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
 
 /** All that the page can have computed aside. A worker is started by the first call that needs it. */
 export class Compute {

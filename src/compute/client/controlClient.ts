@@ -46,21 +46,36 @@ export class ControlClient {
 
   /** What its regulator does in a whole run, which takes as long as the run. */
   effect(file: ScenarioFile, asker: string): Promise<Answer<RegulatorEffect> | null> {
-    return this.ask(file, asker, (scenario) => this.worker.call('control.effect', scenario).result);
+    return this.ask(file, asker, (scenario, drop) => {
+      const { result, drop: end } = this.worker.call('control.effect', scenario);
+      // It looks at its mailbox: a newer question need not wait for its end.
+      drop(end);
+      return result;
+    });
   }
 
   private ask<T>(
     file: ScenarioFile,
     asker: string,
-    call: (scenario: Scenario) => Promise<T>,
+    call: (scenario: Scenario, onDrop: (end: () => void) => void) => Promise<T>,
   ): Promise<Answer<T> | null> {
     this.forget(asker);
     const scenario = checked(file, this.metas);
     if (!scenario.ok) return Promise.resolve(scenario);
     return new Promise((resolve) => {
+      let end = (): void => {};
       const compute = async (): Promise<void> =>
-        resolve(await answerOf(call(scenario.value), 'change something to try again'));
-      this.waiting.set(asker, { asker, compute, drop: () => resolve(null) });
+        resolve(
+          await answerOf(
+            call(scenario.value, (drop) => (end = drop)),
+            'change something to try again',
+          ),
+        );
+      const drop = (): void => {
+        resolve(null);
+        end();
+      };
+      this.waiting.set(asker, { asker, compute, drop });
       this.proceed();
     });
   }

@@ -4,13 +4,14 @@ import { effect } from '@preact/signals';
 import { goToField } from '../../ui/kit/goToField.ts';
 import { Term } from '../../ui/kit/term.tsx';
 import { useUi } from '../../ui/context.ts';
-import { ControlSection, InputsSection } from './inputsSection.tsx';
-import { MethodSection, TimeSection } from './methodSection.tsx';
-import { ParametersSection } from './parametersSection.tsx';
+import { later } from '../../ui/kit/later.tsx';
+import { TimeSection } from './timeSection.tsx';
 import { RunBar } from './runBar.tsx';
 import { StartSection } from './startSection.tsx';
 import { SystemSection } from './systemSection.tsx';
 import { words } from './words.ts';
+
+const LowerSections = later(async () => (await import('./lowerSections.tsx')).LowerSections);
 
 export function Experiment() {
   const { state } = useUi().app;
@@ -30,10 +31,7 @@ export function Experiment() {
         <SystemSection />
         <StartSection />
         <TimeSection />
-        <ParametersSection />
-        <MethodSection />
-        <InputsSection />
-        <ControlSection />
+        <LowerSections />
       </div>
       <RunBar />
     </div>

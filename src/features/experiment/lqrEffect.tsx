@@ -33,6 +33,7 @@ export function LqrEffect() {
       clearTimeout(timer);
       if (draft.control?.type !== 'lqr') return;
       waiting.value = true;
+      app.effect.forget('panel');
       timer = window.setTimeout(() => {
         void app.effect.effect(draft, 'panel').then((found) => {
           if (!found) return;

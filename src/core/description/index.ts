@@ -10,6 +10,7 @@ import { systemOf, viewOf, type DeriveOptions } from './mount.ts';
 import { readDescription, type Reading } from './read.ts';
 import { DescriptionError } from './tokens.ts';
 
+export { sketchOf } from './drawing.ts';
 export { vocabulary } from './vocabulary.ts';
 export { LONGEST_DESCRIPTION } from './read.ts';
 export { DescriptionError } from './tokens.ts';

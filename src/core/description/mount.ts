@@ -3,6 +3,7 @@ import type { ConstraintSet, ConstraintSetMeta, ContactMeta, System, SystemMeta,
 import { checkEquations, solvedFor } from './checks.ts';
 import { equationsOf, jacobianOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
+import { meshOf } from './drawing.ts';
 import type { Id } from './graph.ts';
 import type { Model, SetModel } from './model.ts';
 import { needed, Program, type Arrays, type Call } from './program.ts';
@@ -41,7 +42,15 @@ function metaOf(model: Model, id: string): SystemMeta {
       ? { speed: { name: 'speed', label: 'forward speed', along: model.speed.along, heading: model.speed.heading } }
       : {}),
     ...(model.forward ? { forward: model.forward } : {}),
-    bodies: model.bodies.map((body) => ({ id: body.id, label: body.label, role: body.role ?? 'neutral' })),
+    bodies: model.bodies.map((body, k) => {
+      const mesh = meshOf(model, k);
+      return {
+        id: body.id,
+        label: body.label,
+        role: body.role ?? 'neutral',
+        ...(mesh === null ? {} : { model: mesh }),
+      };
+    }),
     ...(model.events.length > 0
       ? { events: model.events.map((event) => ({ id: event.id, label: event.label, sets: event.sets })) }
       : {}),

@@ -23,7 +23,7 @@ export type Call = (...arrays: Float64Array[]) => void;
 export class Program {
   readonly operations: number;
   readonly inputs: readonly Id[][];
-  private readonly outputs: readonly Id[][];
+  readonly outputs: readonly Id[][];
   private readonly graph: Graph;
   private readonly order: readonly Id[];
   /** Operation, place of the result, places of its operands; five numbers each. */

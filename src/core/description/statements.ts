@@ -157,6 +157,7 @@ export const statements: Readonly<Record<string, Statement>> = {
     words: BODY_WORDS,
     read(r, b) {
       const name = r.takeKind('name') ?? r.fail('the name of the body is expected here');
+      if (!NAME.test(name.text) || name.text in {}) r.fail(`"${name.text}" is no name: letters, digits and _`, name);
       if (b.model.bodies.some(({ id }) => id === name.text)) r.fail(`there is already a body "${name.text}"`, name);
       let mass: Id | null = null;
       let inertia: Id[] | null = null;

@@ -1,4 +1,5 @@
 /** Systems that a person describes: read once for each text, known by an id like the built-in ones from then on. */
+import type { Sketch, Value } from '../geometry/drawing.ts';
 import type { System, SystemView } from '../model/system.ts';
 import type { Model } from '../description/model.ts';
 import { descriptionIn, ownId } from '../scenario/own.ts';
@@ -43,6 +44,14 @@ export function loadOwn(id: string): Promise<System> | undefined {
   const own = known.get(id);
   if (!own) return undefined;
   return (own.system ??= derived(own));
+}
+
+/** How a learned system is drawn, for parameters by name; undefined where there is none of that id. */
+export async function drawOwn(id: string): Promise<((value: Value) => Sketch) | undefined> {
+  const own = known.get(id);
+  if (!own) return undefined;
+  const { sketchOf } = await import('../description/index.ts');
+  return sketchOf(own.model);
 }
 
 async function derived({ model, view }: Own): Promise<System> {

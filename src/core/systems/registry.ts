@@ -15,7 +15,7 @@ import { casterRotation } from './caster-rotation/index.ts';
 import { casterboardRobot } from './casterboard-robot/index.ts';
 import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
 import type { SystemFolder } from './folder.ts';
-import { learn, learnFrom, loadOwn } from './own.ts';
+import { drawOwn, learn, learnFrom, loadOwn } from './own.ts';
 import { ripstik } from './ripstik/index.ts';
 import { ripstikRider } from './ripstik-rider/index.ts';
 import { rollingWheel } from './rolling-wheel/index.ts';
@@ -141,7 +141,7 @@ export function loadTypeset(id: string): Promise<Typeset> | undefined {
 export async function loadDrawing(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Promise<Drawing> {
   const [{ drawingFrom }, drawn] = await Promise.all([
     import('../geometry/drawings.ts'),
-    folders.get(meta.id)?.drawing?.(),
+    folders.get(meta.id)?.drawing?.() ?? drawOwn(meta.id).then((draw) => draw && { draw }),
   ]);
   return drawingFrom(meta, drawn?.draw(valueOf(meta, parameters)));
 }

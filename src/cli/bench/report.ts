@@ -2,7 +2,10 @@ import type { BenchReport } from './bench.ts';
 import type { Times } from './measure.ts';
 import { diagram, type Curve } from './plot.ts';
 import type { RaceEntry } from './race.ts';
+import type { LimitReport } from './limit.ts';
 import type { RivalReport } from './rival.ts';
+import type { RivalEntry } from './rivals.ts';
+import type { SweepReport } from './sweep.ts';
 import { costAt, type Problem, type WorkPoint, type WorkReport } from './workPrecision.ts';
 
 /** Everything that one run of the bench measured. The points of the curves are kept apart, as CSV. */
@@ -12,6 +15,9 @@ export interface Results extends BenchReport {
   rival: RivalReport;
   race: { duration: number; entries: RaceEntry[] };
   precision: Record<Problem, PrecisionSummary>;
+  /** Older measurements have neither of these; the limit is null where there is no WebAssembly. */
+  limit?: LimitReport | null;
+  sweep?: SweepReport & { error: number; rivals: readonly RivalEntry[] };
 }
 
 export interface PrecisionSummary {
@@ -102,6 +108,8 @@ function meaningful(points: readonly WorkPoint[], floor: number): readonly WorkP
   return (last < 0 ? points : points.slice(0, last)).filter((p) => p.error < 1);
 }
 
+const UNKNOWN = 'Not measured here.';
+
 /** The tables, by the name of their place on the page; Markdown, which a terminal shows as well. */
 export function tables(results: Results): Record<string, string> {
   return {
@@ -112,6 +120,8 @@ export function tables(results: Results): Record<string, string> {
     'precision-coasting': precisionTable(results.precision.coasting),
     'precision-falling': precisionTable(results.precision.falling),
     race: raceTable(results.race),
+    limit: results.limit ? limitTable(results.limit) : UNKNOWN,
+    sweep: results.sweep ? sweepTable(results.sweep, results.limit) : UNKNOWN,
   };
 }
 
@@ -239,6 +249,59 @@ function raceTable({ duration, entries }: Results['race']): string {
     e.checksum,
   ]);
   return table(head, rows);
+}
+
+/** Where the time of the falling board goes, as if its parts were done one after another. */
+function limitTable(r: LimitReport): string {
+  const atPeak = (r.evaluations * r.operations) / r.peak;
+  const accelerations = (r.evaluations * r.acceleration) / 1e6;
+  const parts: [string, number][] = [
+    ['accelerations, if every operation went at the peak', atPeak],
+    ['what they take beyond that: operations that wait for others, loads and stores', accelerations - atPeak],
+    ['stage sums, error, projection, choice of steps, events', r.withoutRows - accelerations],
+    [`rows: dense output, projection, energy`, r.withRows - r.withoutRows],
+    ['the whole run', r.withRows],
+  ];
+  const row = ([what, seconds]: [string, number]): string[] => [
+    what,
+    (1000 * seconds).toFixed(1),
+    `${((100 * seconds) / r.withRows).toFixed(0)} %`,
+  ];
+  return `${table([`${r.duration} s of the falling board, dopri5`, 'CPU ms', 'share'], parts.map(row))}
+
+One acceleration has ${r.operations.toLocaleString('en-US')} operations and takes ${r.acceleration.toFixed(3)} µs; the run has ${r.steps.toLocaleString('en-US')} steps and ${r.evaluations.toLocaleString('en-US')} evaluations.
+The peak, ${(r.peak / 1e9).toPrecision(2)} billion multiplications and additions a second, is measured in WebAssembly on sums that do not wait for each other, one double at a time.`;
+}
+
+function sweepTable(r: NonNullable<Results['sweep']>, limits: LimitReport | null | undefined): string {
+  const ms = (x: number): string => x.toPrecision(2);
+  const error = (x: number | null): string => (x === null ? '–' : x.toExponential(1));
+  const own = [
+    ['ours, WebAssembly', ms(r.perRun.wasm), error(r.error)],
+    ['ours, TypeScript', ms(r.perRun.typescript), error(r.error)],
+  ];
+  const [runs, loops] = [r.rivals.filter(({ name }) => name !== 'mujoco'), r.rivals.filter((x) => x.name === 'mujoco')];
+  const others = runs.map((x) =>
+    'skipped' in x ? [`${x.name}, skipped: ${x.skipped}`, '–', '–'] : [x.label, ms(x.milliseconds), error(x.error)],
+  );
+  const loop = loops.map((x) =>
+    'skipped' in x
+      ? `MuJoCo’s own loop is skipped: ${x.skipped}.`
+      : `${x.label}: ${(1000 * x.milliseconds).toFixed(2)} µs, without constraints${
+          limits
+            ? `; a constrained acceleration of ours in WebAssembly is **${ms(limits.acceleration / (1000 * x.milliseconds))}** of that`
+            : ''
+        }.`,
+  );
+  return [
+    table(
+      [`ms per run and core, ${r.runs.toLocaleString('en-US')} runs of 1 s`, 'CPU ms', 'error'],
+      [...own, ...others],
+    ),
+    '',
+    `${r.steps.toFixed(0)} steps a run; checksum \`${r.checksum}\`.`,
+    ...loop,
+  ].join('\n');
 }
 
 const MARK = (name: string): [string, string] => [`<!-- bench: ${name} -->`, '<!-- end -->'];

@@ -2,6 +2,7 @@ import type { Scenario } from '../../scenario/types.ts';
 import type { System } from '../../model/system.ts';
 import type { LqrDesign } from '../design/lqr.ts';
 import { filterOf, lqrOf, sampledDesignOf } from '../design/scenarioControl.ts';
+import { programOf, type ControllerProgram } from './program.ts';
 import { modulus, type Complex, type Mode } from '../linearization/spectrum.ts';
 import { marginsOf, type Margins } from '../margins.ts';
 
@@ -59,11 +60,13 @@ export interface ComputerReport {
   sampled: SampledReport | null;
   /** Null without `control.sensors`. */
   estimator: EstimatorReport | null;
+  /** What runs it; null without `control.sample`, and for a follower of a path, which changes with the place. */
+  controller: ControllerProgram | null;
 }
 
 /** @throws ScenarioError where the design can't be had */
 export function computerReport(scenario: Scenario, system: System): ComputerReport {
-  if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null, estimator: null };
+  if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null, estimator: null, controller: null };
   const design = lqrOf(scenario, system);
   const { A, B } = design.quotient;
   const sampled = sampledDesignOf(scenario, design);
@@ -78,6 +81,7 @@ export function computerReport(scenario: Scenario, system: System): ComputerRepo
       riccatiResidual: sampled.riccatiResidual,
     },
     estimator: estimatorReport(scenario, design),
+    controller: scenario.control.path ? null : programOf(scenario, design),
   };
 }
 

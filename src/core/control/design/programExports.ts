@@ -1,0 +1,152 @@
+import type { ControllerProgram } from '../sampled/program.ts';
+import { digits } from './exports.ts';
+
+/** A sampled controller as the source of a program, with its test vector: C, Python, MATLAB, and JSON. */
+export interface ProgramFormat {
+  id: 'c' | 'python' | 'matlab' | 'json';
+  extension: string;
+  type: string;
+  write(program: ControllerProgram): string;
+}
+
+export const programFormats: readonly ProgramFormat[] = [
+  { id: 'c', extension: 'c', type: 'text/plain', write: programC },
+  { id: 'python', extension: 'py', type: 'text/x-python', write: programPython },
+  { id: 'matlab', extension: 'm', type: 'text/plain', write: programMatlab },
+  {
+    id: 'json',
+    extension: 'json',
+    type: 'application/json',
+    write: (program) => `${JSON.stringify(program, null, 1)}\n`,
+  },
+];
+
+const NAMES = ['A', 'B', 'C', 'D'] as const;
+
+function heading({ sample, delay, inputs, measured }: ControllerProgram): string[] {
+  return [
+    'A regulator of RipStik Lab. Once a sample: u = C c + D y, then c = A c + B y; c is 0 at first.',
+    `Sample time ${digits(sample)} s; the inputs act ${digits(delay)} s after y is measured, and are held. SI units, radians.`,
+    `y: ${measured.join(', ')}, each less what it is in the steady motion`,
+    `u: ${inputs.join(', ')}; limits, rates and steps of the motors are not in it`,
+  ];
+}
+
+/** C99, double precision; its main checks the test vector. */
+function programC(program: ControllerProgram): string {
+  const { measured, inputs, A, test } = program;
+  // An array of C has at least one entry.
+  const [n, p, k] = [A.length, measured.length, inputs.length];
+  const rows = (M: readonly (readonly number[])[]): string =>
+    M.length > 0 && M[0]!.length > 0
+      ? `{\n${M.map((row) => `  {${row.map(digits).join(', ')}}`).join(',\n')}\n}`
+      : '{{0}}';
+  const table = (name: string, M: readonly (readonly number[])[], r: number, c: number): string =>
+    `static const double ${name}[${Math.max(1, r)}][${Math.max(1, c)}] = ${rows(M)};`;
+  return [
+    ...heading(program).map((line) => `/* ${line} */`),
+    '#include <math.h>',
+    '#include <stdio.h>',
+    '',
+    `enum { MEMORY = ${n}, MEASURED = ${p}, INPUTS = ${k}, TESTED = ${test.y.length} };`,
+    table('A', program.A, n, n),
+    table('B', program.B, n, p),
+    table('C', program.C, k, n),
+    table('D', program.D, k, p),
+    `static double c[${Math.max(1, n)}];`,
+    '',
+    'void controller_step(const double y[MEASURED], double u[INPUTS])',
+    '{',
+    `  double next[${Math.max(1, n)}];`,
+    '  for (int i = 0; i < INPUTS; i++) {',
+    '    u[i] = 0;',
+    '    for (int j = 0; j < MEMORY; j++) u[i] += C[i][j] * c[j];',
+    '    for (int j = 0; j < MEASURED; j++) u[i] += D[i][j] * y[j];',
+    '  }',
+    '  for (int i = 0; i < MEMORY; i++) {',
+    '    next[i] = 0;',
+    '    for (int j = 0; j < MEMORY; j++) next[i] += A[i][j] * c[j];',
+    '    for (int j = 0; j < MEASURED; j++) next[i] += B[i][j] * y[j];',
+    '  }',
+    '  for (int i = 0; i < MEMORY; i++) c[i] = next[i];',
+    '}',
+    '',
+    '#ifndef CONTROLLER_WITHOUT_TEST',
+    table('test_y', test.y, test.y.length, p),
+    table('test_u', test.u, test.u.length, k),
+    'int main(void)',
+    '{',
+    '  double largest = 0, size = 1e-300, u[INPUTS];',
+    '  for (int row = 0; row < TESTED; row++) {',
+    '    controller_step(test_y[row], u);',
+    '    for (int i = 0; i < INPUTS; i++) {',
+    '      largest = fmax(largest, fabs(u[i] - test_u[row][i]));',
+    '      size = fmax(size, fabs(test_u[row][i]));',
+    '    }',
+    '  }',
+    '  printf("largest difference, of the largest input: %g\\n", largest / size);',
+    '  return largest > 1e-9 * size;',
+    '}',
+    '#endif',
+    '',
+  ].join('\n');
+}
+
+function programPython(program: ControllerProgram): string {
+  const { measured, inputs, test } = program;
+  const array = (name: string, M: readonly (readonly number[])[], columns: number): string =>
+    `${name} = np.array([${M.map((row) => `\n    [${row.map(digits).join(', ')}],`).join('')}\n]).reshape(${M.length}, ${columns})`;
+  const n = program.A.length;
+  const columns = { A: n, B: measured.length, C: n, D: measured.length };
+  return [
+    ...heading(program).map((line) => `# ${line}`),
+    'import numpy as np',
+    '',
+    ...NAMES.map((name) => array(name, program[name], columns[name])),
+    array('TEST_Y', test.y, measured.length),
+    array('TEST_U', test.u, inputs.length),
+    '',
+    '',
+    'class Controller:',
+    '    def __init__(self):',
+    `        self.c = np.zeros(${n})`,
+    '',
+    '    def step(self, y):',
+    '        u = C @ self.c + D @ y',
+    '        self.c = A @ self.c + B @ y',
+    '        return u',
+    '',
+    '',
+    'if __name__ == "__main__":',
+    '    controller = Controller()',
+    '    answers = np.array([controller.step(y) for y in TEST_Y])',
+    '    difference = np.abs(answers - TEST_U).max() / np.abs(TEST_U).max()',
+    '    print("largest difference, of the largest input:", difference)',
+    '    raise SystemExit(difference > 1e-9)',
+    '',
+  ].join('\n');
+}
+
+function programMatlab(program: ControllerProgram): string {
+  const { measured, inputs, test } = program;
+  const n = program.A.length;
+  const matrix = (name: string, M: readonly (readonly number[])[], columns: number): string =>
+    M.length === 0 || columns === 0
+      ? `${name} = zeros(${M.length}, ${columns});`
+      : `${name} = [\n${M.map((row) => `  ${row.map(digits).join(', ')}`).join(';\n')}\n];`;
+  const columns = { A: n, B: measured.length, C: n, D: measured.length };
+  return [
+    ...heading(program).map((line) => `% ${line}`),
+    ...NAMES.map((name) => matrix(name, program[name], columns[name])),
+    matrix('test_y', test.y, measured.length),
+    matrix('test_u', test.u, inputs.length),
+    `c = zeros(${n}, 1); answers = zeros(size(test_u));`,
+    'for row = 1:size(test_y, 1)',
+    "  y = test_y(row, :)';",
+    "  answers(row, :) = (C * c + D * y)';",
+    '  c = A * c + B * y;',
+    'end',
+    "fprintf('largest difference, of the largest input: %g\\n', max(abs(answers(:) - test_u(:))) / max(abs(test_u(:))));",
+    '',
+  ].join('\n');
+}

@@ -18,6 +18,7 @@ import type { ModePreview, ModeRequest } from './runs/modePreview.ts';
 import type { PinnedRun, PinnedRuns } from './runs/pinnedRuns.ts';
 import type { StageState } from './runs/stageState.ts';
 import type { Sweep } from './runs/sweep.ts';
+import type { VehicleTests } from './runs/vehicleTests.ts';
 import type { TrustState } from './runs/trust.ts';
 import type { CaseInfo } from './state/cases.ts';
 import type { DialogActions, DialogState } from './state/dialogs.ts';
@@ -145,5 +146,7 @@ export interface App {
   comparison: Comparison;
   pinned: PinnedRuns;
   sweep: Sweep;
+  /** Manoeuvres with pass or fail; loaded when it is asked for. */
+  vehicleTests(): Promise<VehicleTests>;
   exportService: ExportService;
 }

@@ -17,6 +17,7 @@ import { PinnedRuns } from './runs/pinnedRuns.ts';
 import { Runs } from './runs/runs.ts';
 import { createStage } from './runs/stageState.ts';
 import type { Sweep } from './runs/sweep.ts';
+import type { VehicleTests } from './runs/vehicleTests.ts';
 import { TrustKeeper } from './runs/trust.ts';
 import { settleView } from './runs/views.ts';
 import { builtInCases, firstCaseOf, ownCase, type CaseInfo } from './state/cases.ts';
@@ -41,8 +42,17 @@ export interface Preferences {
   roomy: boolean;
 }
 
+async function loadVehicleTests({ later: { start, cores } }: Compute): Promise<VehicleTests> {
+  const [{ VehicleTests }, { testsPool }] = await Promise.all([
+    import('./runs/vehicleTests.ts'),
+    import('../compute/client/testsClient.ts'),
+  ]);
+  return new VehicleTests(testsPool(start, cores));
+}
+
 /** The application: its slices, joined. Each slice alone changes its state. */
 export function createApp(compute: Compute, preferences: Preferences, comparison: Comparison, sweep: Sweep): App {
+  let vehicleTests: Promise<VehicleTests> | null = null;
   const messages = createMessages();
   const experiment = createExperiment(builtInCases[0]!, systemMetas);
   const settings = createSettings({
@@ -242,6 +252,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     comparison,
     pinned,
     sweep,
+    vehicleTests: () => (vehicleTests ??= loadVehicleTests(compute)),
     exportService: createExportService(),
   };
 }

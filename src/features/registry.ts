@@ -7,6 +7,7 @@ export { equations } from './equations/manifest.tsx';
 export { analysis } from './analysis/manifest.tsx';
 export { gaits } from './gaits/manifest.tsx';
 export { methods } from './methods/manifest.tsx';
+export { tests } from './tests/manifest.tsx';
 export { trust } from './trust/manifest.tsx';
 export { compare } from './compare/manifest.tsx';
 export { file } from './file/manifest.tsx';

@@ -11,7 +11,7 @@ import { SweepClient } from './sweepClient.ts';
 
 /** What a worker is started for; all are the same program, and the name is seen in the browser's tools. */
 export type Purpose =
-  'run' | 'trust' | 'control' | 'effect' | 'locus' | 'gait' | 'mechanics' | 'csv' | 'comparison' | 'sweep';
+  'run' | 'trust' | 'control' | 'effect' | 'locus' | 'gait' | 'mechanics' | 'csv' | 'comparison' | 'sweep' | 'tests';
 
 /** All that the page can have computed aside. A worker is started by the first call that needs it. */
 export class Compute {
@@ -29,6 +29,8 @@ export class Compute {
   readonly comparison: Pool<RunClient>;
   /** Every core: only numbers come back, and the page has its share whenever it asks. */
   readonly sweep: Pool<SweepClient>;
+  /** Workers for what is loaded later, and how many make sense. */
+  readonly later: { start(purpose: Purpose): WorkerLike; cores: number };
 
   /** @param cores of the machine */
   constructor(start: (purpose: Purpose) => WorkerLike, metas: Metas, cores: number) {
@@ -41,6 +43,7 @@ export class Compute {
     this.mechanics = new MechanicsClient(() => start('mechanics'));
     this.csv = new CsvClient(() => start('csv'));
     this.comparison = new Pool(() => new RunClient(() => start('comparison')), cores - 1);
+    this.later = { start, cores };
     this.sweep = new Pool(() => new SweepClient(() => start('sweep')), cores);
   }
 }

@@ -4,6 +4,7 @@ import type { Loaders } from '../remote/serve.ts';
 export const services = {
   run: async () => (await import('./run.ts')).calls,
   sweep: async () => (await import('./sweep.ts')).calls,
+  tests: async () => (await import('./tests.ts')).calls,
   control: async () => (await import('./control.ts')).calls,
   mechanics: async () => (await import('./mechanics.ts')).calls,
   gait: async () => (await import('./gait.ts')).calls,

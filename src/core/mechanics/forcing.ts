@@ -38,19 +38,19 @@ export interface Estimator {
   begin(): Estimate;
 }
 
-/** An estimate as its run goes on: at each sample `correct`, then `predict`. */
+/** An estimate as its run goes on: at each sample `measure`, then `predict`. */
 export interface Estimate {
   /** The state as far as it is known. */
   readonly q: Float64Array;
   readonly v: Float64Array;
   /** The state is known, as that of a row that a run goes on from. */
   know(t: number, q: ArrayLike<number>, v: ArrayLike<number>): void;
-  /** Takes what the sensors read at t; `expected`: what they would read of the steady motion then. */
-  correct(t: number, read: ArrayLike<number>, expected: ArrayLike<number>): void;
+  /** The sensors read the state at t, the k-th sample (from 0). */
+  measure(k: number, t: number, q: ArrayLike<number>, v: ArrayLike<number>): void;
+  /** Takes what the sensors read at t, less what they would read of the steady motion. */
+  correct(t: number, read: ArrayLike<number>): void;
   /** Goes on to the next sample, these inputs having been asked at the last. */
   predict(asked: ArrayLike<number>): void;
   /** All inputs on their way, and what actuators give, are these. */
   fill(inputs: ArrayLike<number>): void;
-  /** The steady motion at t. */
-  reference(t: number): { q: ArrayLike<number>; v: ArrayLike<number> };
 }

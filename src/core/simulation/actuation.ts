@@ -47,7 +47,7 @@ export function actuationOf(
     throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
   const plan = planned && new InputPlan(planned);
   const loops = control?.type === 'track' ? trackers(control, meta, plan) : (feedback ?? new Map<string, Feedback>());
-  const held = computer ?? HeldControl.of(control, loops, meta);
+  const held = computer ?? HeldControl.of(control, loops);
   if (plan) plan.held = held;
   const parts: { input: InputMeta; signal: Signal | null }[] = [];
   for (const input of inputsOf(meta)) {

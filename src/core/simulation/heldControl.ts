@@ -1,7 +1,5 @@
 import type { Estimate, Feedback } from '../mechanics/forcing.ts';
-import type { SystemMeta } from '../model/system.ts';
 import type { Actuator, Scenario } from '../scenario/types.ts';
-import { Sensors } from './sensors.ts';
 
 /**
  * A controller as a computer runs it: it measures at k h, asks its inputs once, and they are held from k h + delay until
@@ -39,24 +37,19 @@ export class HeldControl {
   private readonly channels: readonly Channel[];
   /** Past inputs that a design counts on, newest first, by channel. */
   private readonly past: Float64Array;
-  private readonly sensing: { sensors: Sensors; estimate: Estimate } | null;
-  private readonly read: Float64Array;
-  private readonly expected: Float64Array;
+  /** What is known of the state, where it is estimated. */
+  private readonly estimate: Estimate | null;
   /** Inputs on their way to the actuators, the next first. */
   private readonly coming: { time: number; values: Float64Array }[] = [];
   /** Number of the next sample. */
   private next = 0;
 
-  /**
-   * @param feedbacks by input, in the order in which a design's past inputs are counted
-   * @param sensors what is measured; without them the state itself
-   */
+  /** @param feedbacks by input, in the order in which a design's past inputs are counted */
   constructor(
     sample: number,
     delay: number,
     feedbacks: ReadonlyMap<string, Feedback>,
     actuators: Readonly<Record<string, Actuator>> = {},
-    sensors: Sensors | null = null,
   ) {
     this.sample = sample;
     this.delay = delay;
@@ -74,29 +67,12 @@ export class HeldControl {
       };
     });
     this.past = new Float64Array(Math.max(0, ...this.channels.map(({ feedback }) => feedback.past?.length ?? 0)));
-    const estimator = this.channels[0]?.feedback.estimator;
-    this.sensing = sensors && estimator ? { sensors, estimate: estimator.begin() } : null;
-    this.read = new Float64Array(sensors?.count ?? 0);
-    this.expected = new Float64Array(sensors?.count ?? 0);
+    this.estimate = this.channels[0]?.feedback.estimator?.begin() ?? null;
   }
 
   /** Null for a controller that acts continuously. */
-  static of(
-    control: Scenario['control'],
-    feedbacks: ReadonlyMap<string, Feedback>,
-    { coordinates }: Pick<SystemMeta, 'coordinates'>,
-  ): HeldControl | null {
-    if (!control?.sample) return null;
-    const { sample, delay = 0, actuators, sensors, seed = 0 } = control;
-    const names = coordinates.map(({ name }) => name);
-    const states = [...names, ...names.map((name) => `${name}_dot`)];
-    return new HeldControl(
-      sample,
-      delay,
-      feedbacks,
-      actuators,
-      sensors ? new Sensors(sensors, states, sample, seed) : null,
-    );
+  static of(control: Scenario['control'], feedbacks: ReadonlyMap<string, Feedback>): HeldControl | null {
+    return control?.sample ? new HeldControl(control.sample, control.delay ?? 0, feedbacks, control.actuators) : null;
   }
 
   /** The next instant at which it measures or its inputs change, s. */
@@ -124,13 +100,13 @@ export class HeldControl {
   begin(t: number, q: Float64Array, v: Float64Array): void {
     this.next = Math.max(0, Math.ceil((t - SAME) / this.sample));
     if (t > 0) {
-      this.sensing?.estimate.know(t, q, v);
+      this.estimate?.know(t, q, v);
       const values = this.ask(t, q, v, Infinity);
       for (let i = 0; i < this.past.length; i++) this.past[i] = values[i % values.length]!;
       this.act(t, values);
       for (const channel of this.channels) channel.before = channel.value;
       // What is known is that of the row's time: the next sample's measurement corrects what has passed since.
-      this.sensing?.estimate.fill(values);
+      this.estimate?.fill(values);
     }
     this.arrive(t, q, v);
   }
@@ -151,13 +127,9 @@ export class HeldControl {
   }
 
   private measureAndAsk(t: number, q: Float64Array, v: Float64Array): Float64Array {
-    const { sensing, read, expected, next, sample } = this;
-    if (!sensing) return this.ask(t, q, v, sample);
-    const { sensors, estimate } = sensing;
-    sensors.read(next, q, v, read);
-    const reference = estimate.reference(t);
-    sensors.exact(reference.q, reference.v, expected);
-    estimate.correct(t, read, expected);
+    const { estimate, next, sample } = this;
+    if (!estimate) return this.ask(t, q, v, sample);
+    estimate.measure(next, t, q, v);
     const values = this.ask(t, estimate.q, estimate.v, sample);
     estimate.predict(values);
     return values;

@@ -1,4 +1,6 @@
 /** The gain by input and state, its residual, and everything as files for other programs. */
+import { useSignal } from '@preact/signals';
+import { useUi } from '../../ui/context.ts';
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { MathSymbol } from '../../charts/textView.tsx';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
@@ -52,7 +54,41 @@ export function GainSection({
           </button>
         ))}
       </div>
+      {analysis.K && <ProgramExports name={analysis.system} save={save} />}
     </Section>
+  );
+}
+
+/** The sampled controller as a program; nothing without a sample time. */
+function ProgramExports({ name, save }: { name: string; save: SaveText }) {
+  const { app } = useUi();
+  const problem = useSignal('');
+  const draft = app.state.draft.value;
+  if (draft.control?.type !== 'lqr' || !draft.control.sample) return <p class="hint">{words.noProgram}</p>;
+  if (draft.control.path) return <p class="hint">{words.noPathProgram}</p>;
+  const write = async (id: string): Promise<void> => {
+    const answer = await app.control.computer(draft, 'program');
+    if (answer === null) return;
+    problem.value = answer.ok ? '' : answer.message;
+    if (!answer.ok || !answer.value.controller) return;
+    const { programFormats } = await import('../../core/control/design/programExports.ts');
+    const format = programFormats.find((f) => f.id === id)!;
+    save(`${name}-controller.${format.extension}`, format.write(answer.value.controller), format.type);
+  };
+  return (
+    <div class="export-row" role="group" aria-label={words.program}>
+      <span>{words.program}</span>
+      {(['c', 'python', 'matlab', 'json'] as const).map((id) => (
+        <button key={id} type="button" data-testid={`program-export-${id}`} onClick={() => void write(id)}>
+          {words.programFormats[id]}
+        </button>
+      ))}
+      {problem.value && (
+        <p class="error" role="alert">
+          {problem.value}
+        </p>
+      )}
+    </div>
   );
 }
 

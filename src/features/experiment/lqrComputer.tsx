@@ -7,6 +7,8 @@ import type { ComputerReport } from '../../core/control/sampled/computerReport.t
 import type { LqrControl } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+import { ProgramField } from './lqrProgram.tsx';
+import { Margins } from './lqrMargins.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 import { lqrWords as words } from './words.ts';
@@ -48,7 +50,16 @@ export function ComputerFields({ control, change }: Props) {
         change(
           value > 0
             ? { sample: value }
-            : { sample: undefined, delay: undefined, design: undefined, actuators: undefined },
+            : {
+                sample: undefined,
+                delay: undefined,
+                design: undefined,
+                actuators: undefined,
+                sensors: undefined,
+                process: undefined,
+                seed: undefined,
+                path: undefined,
+              },
         ),
       )}
       {sample ? field('delay', 'T', (value) => change({ delay: value })) : null}
@@ -68,6 +79,7 @@ export function ComputerFields({ control, change }: Props) {
           </select>
         </label>
       ) : null}
+      {sample ? <ProgramField control={control} change={change} /> : null}
       <ComputerReadout />
     </fieldset>
   );
@@ -95,7 +107,7 @@ function ComputerReadout() {
   }, []);
   // What keeps the design from being had stands in the readout above.
   if (!answer.value?.ok) return null;
-  const { margins, sampled } = answer.value.value;
+  const { margins, sampled, estimator } = answer.value.value;
   return (
     <div data-testid="lqr-computer" aria-live="polite">
       {margins && (
@@ -112,6 +124,7 @@ function ComputerReadout() {
         </p>
       )}
       {sampled && sampled.spectralRadius < 1 && <p class="hint">{words.stable}</p>}
+      {margins && <Margins margins={margins} sampled={sampled} estimator={estimator} />}
     </div>
   );
 }

@@ -70,12 +70,21 @@ export function LqrReadout() {
 
 /** What else is known of the design: how fast and how damped it is, and what it leaves as it is. */
 export function LqrFacts() {
+  const ui = useUi();
   const answer = useDesign();
   if (!answer?.ok) return null;
   const { closedLoop, careResidual, reachability, uncontrollable, unseen, eigenvalues } = answer.value;
   const slowest = closedLoop?.reduce((a, b) => (b.eigenvalue[0] > a.eigenvalue[0] ? b : a), closedLoop[0]!);
   const leastDamped = closedLoop?.reduce((a, b) => ((b.damping ?? 1) < (a.damping ?? 1) ? b : a), closedLoop[0]!);
   const untouched = [...uncontrollable, ...(unseen ?? [])];
+  // A coordinate that no input reaches, and that is part of all sums that a person looks at.
+  const { sums = [], coordinates } = ui.system.value!.meta;
+  const free = coordinates.find(
+    ({ name }) =>
+      sums.length > 0 &&
+      sums.every(({ of }) => of.includes(name)) &&
+      uncontrollable.some(({ moves }) => moves[0] === name),
+  );
   return (
     <div data-testid="lqr-facts">
       <dl class="facts">
@@ -93,6 +102,7 @@ export function LqrFacts() {
       {untouched.length > 0 && (
         <p class="hint">{words.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
       )}
+      {free && <p class="hint">{words.rollsFreely(free.label, sums.map((s) => s.label).join(', '))}</p>}
     </div>
   );
 }

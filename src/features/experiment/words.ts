@@ -120,6 +120,23 @@ export const lqrWords = {
   unstable: (radius: string) =>
     `With this sample time and delay the loop is unstable: a deviation grows ${radius}-fold each sample. Take a shorter sample time or delay, or the design for held inputs.`,
   stable: 'With this sample time and delay the loop is stable.',
+  margins: 'Margins of the continuous gain',
+  marginColumns: ['input', 'gain down', 'gain up', 'phase', ''],
+  unbounded: 'any',
+  disc: (radius: string) => `Disc margin, all inputs at once: ${radius}.`,
+  moduli: (list: string) => `Closed-loop moduli from sample to sample: ${list}.`,
+  sees: (dimension: number, whole: number) => `The sensors see ${dimension} of ${whole} dimensions.`,
+  unseenBySensors: (names: string) => `No sensor sees: ${names}. There the filter expects the steady motion.`,
+  filterPoles: (list: string) => `The estimate's error from sample to sample: ${list}.`,
+  program: 'Sensors, actuators, path',
+  programNote:
+    'As JSON: "sensors", "process", "seed", "actuators", "path" (docs/control.md). Applied when you leave the field.',
+  programLabel: 'sensors, actuators and path of the controller, as JSON',
+  notJson: (message: string) => `This is no JSON: ${message}`,
+  notObject: 'An object in braces is needed.',
+  unknownKeys: (names: string) => `Only sensors, process, seed, actuators and path have a place here, not ${names}.`,
+  rollsFreely: (label: string, sums: string) =>
+    `Nothing turns ${label} back: it rolls freely under plates that keep their own roll, so it stays where it was. What a rider feels are ${sums}.`,
   schedule: 'Over the speed',
   scheduled: 'gains follow the forward speed',
   scheduleEnds: { from: 'v₁', to: 'v₂' },

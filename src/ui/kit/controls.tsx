@@ -150,6 +150,7 @@ const LINES = {
   undo: 'M3 6.5h7a3.5 3.5 0 0 1 0 7H6M6 3L2.5 6.5 6 10',
   redo: 'M13 6.5H6a3.5 3.5 0 0 0 0 7h4M10 3l3.5 3.5L10 10',
   close: 'M4 4l8 8M12 4l-8 8',
+  check: 'M3 8.5l3.5 3.5L13 4.5',
   left: 'M10 3L5 8l5 5',
   right: 'M6 3l5 5-5 5',
 } as const;

@@ -73,8 +73,8 @@ test('with a filter: as the estimator and the gain that a run uses', () => {
   const made = program(control);
   const feedbacks = [...feedbackOf(scenarioOf(file(control)), system)!.values()];
   const estimate = feedbacks[0]!.estimator!.begin();
-  const reference = estimate.reference(0);
-  estimate.know(0, reference.q, reference.v);
+  const { q, v } = lqrOf(scenarioOf(file(control)), system).linearization.motion;
+  estimate.know(0, q, v);
   estimate.fill([0, 0]);
   const lag = 0.002;
   const past: number[] = new Array<number>(feedbacks[0]!.past!.length).fill(0);
@@ -82,11 +82,7 @@ test('with a filter: as the estimator and the gain that a run uses', () => {
   const history: number[][] = [];
   made.test.y.forEach((y, k) => {
     const t = k * 0.005;
-    estimate.correct(
-      t,
-      y,
-      y.map(() => 0),
-    );
+    estimate.correct(t, y);
     // What the lagging motor gives at t: inputs act 7 ms after they are asked.
     given = 0;
     for (let at = 0; at < t - 1e-12; at += 1e-6) {

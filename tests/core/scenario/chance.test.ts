@@ -1,7 +1,7 @@
 // The noise of sensors: the moments of a normal distribution, and the same numbers for the same seed.
 import { expect, test } from 'vitest';
 import { normal } from '../../../src/core/scenario/chance.ts';
-import { Sensors } from '../../../src/core/simulation/sensors.ts';
+import { Sensors } from '../../../src/core/control/sampled/sensors.ts';
 
 const COUNT = 100_000;
 

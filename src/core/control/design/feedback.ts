@@ -1,3 +1,4 @@
+import { Sensors } from '../sampled/sensors.ts';
 import { SampledEstimator } from '../sampled/estimator.ts';
 import type { LqrDesign } from './lqr.ts';
 import { filterOf, lqrOf, sampledDesignOf, timingOf } from './scenarioControl.ts';
@@ -95,11 +96,14 @@ export function feedbackOf(scenario: Scenario, system: System): Map<string, Feed
 function estimatorOf(scenario: Scenario, design: LqrDesign): Estimator | null {
   const found = filterOf(scenario, design);
   if (!found || scenario.control?.type !== 'lqr') return null;
-  if (!scenario.control.sample)
+  const { sample, sensors = {}, seed = 0 } = scenario.control;
+  if (!sample)
     throw new ScenarioError(
       'control.sensors',
       'white noise has no value at a moment, so that a run with sensors needs a computer: give control.sample (s)',
     );
   const { plant, filter, deviations } = found;
-  return new SampledEstimator(plant, filter, deviations, design.linearization.motion, timingOf(scenario.control));
+  const { states } = design.linearization;
+  const make = (): Sensors => new Sensors(sensors, states, sample, seed);
+  return new SampledEstimator(plant, filter, make, deviations, design.linearization.motion, timingOf(scenario.control));
 }

@@ -3,6 +3,7 @@ import type { Estimate, Estimator } from '../../mechanics/forcing.ts';
 import { toRowMajor } from '../linearization/matrices.ts';
 import type { SteadyMotion } from '../linearization/steadyMotion.ts';
 import { held, lagged, memoryOf, type Memory } from './hold.ts';
+import type { Sensors } from './sensors.ts';
 import { correctionGain, type KalmanFilter, type ObservedPlant } from './kalman.ts';
 
 /**
@@ -20,6 +21,7 @@ export class SampledEstimator implements Estimator {
   private readonly parts: readonly { age: number; A: Float64Array; B: Float64Array }[];
   readonly memory: Memory;
   private readonly motion: SteadyMotion;
+  private readonly makeSensors: () => Sensors;
   /** Inputs that lag. */
   private readonly slow: readonly number[];
   /** Dimensions: s, with the lagged inputs, inputs, sensors. */
@@ -28,10 +30,11 @@ export class SampledEstimator implements Estimator {
   private readonly k: number;
   private readonly p: number;
 
-  /** @param deviations of the sensors' noise per sample @param lags of the actuators, s @param sample, delay s */
+  /** @param makeSensors what is read, anew for each run @param deviations of their noise per sample @param lags of the actuators, s @param sample, delay s */
   constructor(
     plant: ObservedPlant,
     filter: KalmanFilter,
+    makeSensors: () => Sensors,
     deviations: readonly number[],
     motion: SteadyMotion,
     { sample, delay, lags }: { sample: number; delay: number; lags: readonly number[] },
@@ -49,6 +52,7 @@ export class SampledEstimator implements Estimator {
     this.toStates = toRowMajor(plant.toStates);
     this.fromStates = toRowMajor(plant.fromStates);
     this.motion = motion;
+    this.makeSensors = makeSensors;
     this.slow = [...lags.keys()].filter((i) => lags[i]! > 0);
     this.o = plant.A.rows;
     this.e = driven.A.rows;
@@ -64,7 +68,9 @@ export class SampledEstimator implements Estimator {
     const innovation = new Float64Array(p);
     const past = new Float64Array(k * (memory.count + 1));
     const [q, v] = [new Float64Array(n), new Float64Array(n)];
-    const reference = { q: new Float64Array(n), v: motion.v };
+    const reference = new Float64Array(n);
+    const sensors = this.makeSensors();
+    const [read, expected] = [new Float64Array(p), new Float64Array(p)];
     let first = true;
     const spread = (t: number): void => {
       for (let i = 0; i < 2 * n; i++) {
@@ -74,9 +80,16 @@ export class SampledEstimator implements Estimator {
         else v[i - n] = motion.v[i - n]! + x;
       }
     };
-    return {
+    const estimate: Estimate = {
       q,
       v,
+      measure: (k, t, trueQ, trueV) => {
+        sensors.read(k, trueQ, trueV, read);
+        for (let i = 0; i < n; i++) reference[i] = motion.q[i]! + motion.v[i]! * t;
+        sensors.exact(reference, motion.v, expected);
+        for (let i = 0; i < p; i++) read[i]! -= expected[i]!;
+        estimate.correct(t, read);
+      },
       know: (t, knownQ, knownV) => {
         first = false;
         for (let j = 0; j < o; j++) {
@@ -88,9 +101,9 @@ export class SampledEstimator implements Estimator {
         }
         spread(t);
       },
-      correct: (t, read, expected) => {
+      correct: (t, off) => {
         for (let i = 0; i < p; i++) {
-          innovation[i] = read[i]! - expected[i]!;
+          innovation[i] = off[i]!;
           for (let j = 0; j < o; j++) innovation[i]! -= this.C[i * o + j]! * s[j]!;
         }
         const gain = first ? this.firstGain : this.gain;
@@ -110,15 +123,12 @@ export class SampledEstimator implements Estimator {
           s.set(next);
         }
       },
-      reference: (t) => {
-        for (let i = 0; i < n; i++) reference.q[i] = motion.q[i]! + motion.v[i]! * t;
-        return reference;
-      },
       fill: (value) => {
         for (let i = 0; i < past.length; i++) past[i] = value[i % k]!;
         let at = o;
         for (const i of this.slow) s[at++] = value[i]!;
       },
     };
+    return estimate;
   }
 }

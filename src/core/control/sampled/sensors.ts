@@ -1,6 +1,6 @@
-import { normal } from '../scenario/chance.ts';
-import { Formula } from '../scenario/formula.ts';
-import type { Sensor } from '../scenario/types.ts';
+import { normal } from '../../scenario/chance.ts';
+import { Formula } from '../../scenario/formula.ts';
+import type { Sensor } from '../../scenario/types.ts';
 
 /** What a controller's sensors read of a state: noise, bias and drift added, then rounded to their steps. */
 export class Sensors {
@@ -35,7 +35,7 @@ export class Sensors {
   }
 
   /** What they read at the k-th sample (from 0), in the order of their names, into `out`. */
-  read(k: number, q: Float64Array, v: Float64Array, out: Float64Array): void {
+  read(k: number, q: ArrayLike<number>, v: ArrayLike<number>, out: Float64Array): void {
     this.exact(q, v, out);
     this.walkTo(k);
     for (let i = 0; i < this.count; i++) {

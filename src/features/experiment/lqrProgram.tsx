@@ -1,0 +1,59 @@
+/** What of a controller's computer is too much for fields of its own: sensors, actuators and path, as JSON. */
+import { useSignal } from '@preact/signals';
+import type { LqrControl } from '../../core/scenario/types.ts';
+import { lqrWords as words } from './words.ts';
+
+const KEYS = ['sensors', 'process', 'seed', 'actuators', 'path'] as const;
+type Program = Pick<LqrControl, (typeof KEYS)[number]>;
+
+const textOf = (control: LqrControl): string => {
+  const present = KEYS.filter((key) => control[key] !== undefined);
+  return present.length === 0 ? '' : JSON.stringify(Object.fromEntries(present.map((k) => [k, control[k]])), null, 1);
+};
+
+export function ProgramField({ control, change }: { control: LqrControl; change(part: Partial<LqrControl>): void }) {
+  const typed = useSignal<string | null>(null);
+  const problem = useSignal('');
+  const commit = (text: string): void => {
+    const read = readProgram(text);
+    problem.value = typeof read === 'string' ? read : '';
+    if (typeof read === 'string') return;
+    typed.value = null;
+    change({ ...Object.fromEntries(KEYS.map((key) => [key, undefined])), ...read });
+  };
+  return (
+    <details class="lqr-program" open={KEYS.some((key) => control[key] !== undefined)}>
+      <summary>{words.program}</summary>
+      <p class="hint">{words.programNote}</p>
+      <textarea
+        data-testid="lqr-program"
+        aria-label={words.programLabel}
+        aria-invalid={problem.value !== ''}
+        rows={6}
+        spellcheck={false}
+        value={typed.value ?? textOf(control)}
+        onInput={(event) => (typed.value = event.currentTarget.value)}
+        onChange={(event) => commit(event.currentTarget.value)}
+      />
+      {problem.value && (
+        <p class="error" role="alert">
+          {problem.value}
+        </p>
+      )}
+    </details>
+  );
+}
+
+/** The keys, or in words why they are none; what they say is checked with the scenario. */
+export function readProgram(text: string): Program | string {
+  if (text.trim() === '') return {};
+  let read: unknown;
+  try {
+    read = JSON.parse(text);
+  } catch (error) {
+    return words.notJson((error as Error).message);
+  }
+  if (typeof read !== 'object' || read === null || Array.isArray(read)) return words.notObject;
+  const unknown = Object.keys(read).filter((key) => !(KEYS as readonly string[]).includes(key));
+  return unknown.length > 0 ? words.unknownKeys(unknown.join(', ')) : (read as Program);
+}

@@ -1,0 +1,15 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { firstWords } from './firstWords.ts';
+
+export const tests: Feature = {
+  id: 'tests',
+  order: 72,
+  tool: {
+    title: firstWords.open,
+    icon: 'check',
+    size: 'wide',
+    keep: true,
+    Body: later(async () => (await import('./testsTool.tsx')).TestsTool),
+  },
+};

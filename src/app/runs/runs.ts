@@ -281,9 +281,10 @@ export class Runs {
         },
         ended: (end, counts) => {
           batch(() => take(true));
-          stage.actions.setStatistics(counts);
+          if (adopted) stage.actions.setStatistics(counts);
+          else this.request.value = stage.state.motion.peek()?.written ?? null;
           stage.actions.setRun({ kind: 'ended', reason: end.reason, message: end.message, time: end.time });
-          if (end.reason !== 'end' && end.reason !== 'cancelled')
+          if (adopted && end.reason !== 'end' && end.reason !== 'cancelled')
             stage.actions.setMotion({ ...motion!, marks: [...motion!.marks, { time: end.time, name: end.reason }] });
           if (end.reason === 'cancelled') this.next = null;
           this.wentOn();

@@ -96,14 +96,14 @@ function StartRow({
       </Handle>
       <NumberBox spec={valueSpec} field={valueField} id={valueId} testId={`initial-${coordinate.name}`} />
       {rated && <NumberBox spec={rateSpec} field={rateField} id={rateId} testId={`initial-${coordinate.name}_dot`} />}
+      {open && <Slider spec={valueSpec} field={valueField} />}
+      {open && rated && <Slider spec={rateSpec} field={rateField} rate />}
       <Meaning of={valueField} />
       <Meaning of={rateField} rate />
       <FieldError id={valueId} error={valueField.error} />
       <FieldError id={rateId} error={rateField.error} />
       <Solved adjustment={value} unit={valueSpec.unit!} />
       <Solved adjustment={rate} unit={rateSpec.unit!} rate />
-      {open && <Slider spec={valueSpec} field={valueField} />}
-      {open && rated && <Slider spec={rateSpec} field={rateField} rate />}
     </div>
   );
 }

@@ -20,6 +20,12 @@ function Title() {
         autocomplete="off"
         value={state.origin.value.title}
         data-testid="title"
+        // It is a name: Enter takes it, and runs nothing.
+        onKeyDown={(event) => {
+          if (event.key !== 'Enter' || event.ctrlKey || event.metaKey) return;
+          event.stopPropagation();
+          event.currentTarget.blur();
+        }}
         onChange={(event) => {
           actions.rename(event.currentTarget.value);
           event.currentTarget.value = state.origin.peek().title;

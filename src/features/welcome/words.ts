@@ -15,7 +15,7 @@ export const text = {
   steps: {
     cases: {
       title: 'Choose a case',
-      body: 'The name at the top opens the gallery: boards that are ridden, let go or balanced, and the report’s other systems. One click runs one.',
+      body: 'The name at the top opens the gallery: boards that are ridden, let go or balanced, and the other systems of the student report of 2017 that this laboratory grew out of. One click runs one.',
     },
     run: {
       title: 'Change and run',

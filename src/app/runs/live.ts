@@ -22,8 +22,8 @@ export interface LiveState {
   former: ReadonlySignal<Motion | null>;
 }
 
-/** A run that is computed within this time follows every change, s. */
-const CHEAP_S = 4;
+/** A run of no more evaluations than this (a second or two) follows every change. */
+const MOST_FOLLOWED = 300_000;
 /** So long after the last change of the start the motion goes on from where it was, ms. */
 const REST_MS = 900;
 /** So long the run before stays beside the new one, ms. */
@@ -78,7 +78,7 @@ export class LiveRuns {
     if (motion?.source !== 'run' || motion.system.meta.id !== draft.system) return;
     if (!settings.live.peek() || experiment.draftErrors.peek().size > 0) return;
     if (onlyControl(before.draft, draft)) return runs.retune();
-    this.costly.value = runs.costOf(draft) > CHEAP_S;
+    this.costly.value = runs.costOf(draft) > MOST_FOLLOWED;
     if (this.costly.peek() || (motion.pushes ?? []).length > 0) return;
     this.remember(motion);
     if (before.draft.initial !== draft.initial) this.showStart();

@@ -56,7 +56,7 @@ export class Runs {
   private next: (() => void) | null = null;
   /** The run under way, or the last one, was begun by a change of the draft. */
   private followed = false;
-  /** Seconds of computing for a second of motion, of the last run. */
+  /** Evaluations for a second of motion, of the last run. */
   private pace = 0;
 
   constructor(context: RunsContext) {
@@ -125,7 +125,7 @@ export class Runs {
     this.start(scenario, draft, { live: true });
   }
 
-  /** How long a run of a draft may be expected to take, s. */
+  /** Evaluations that a run of a draft may be expected to take: work, not time, so that a busy machine decides nothing. */
   costOf({ duration = DEFAULTS.duration }: ScenarioFile): number {
     return this.pace * duration;
   }
@@ -257,9 +257,9 @@ export class Runs {
           // What is typed on may be told at the next number.
           if (notes.length > 0 && !entry.live) messages.report('info', 'About the start', notes);
         },
-        rows: (columns, rows, time, counts, seconds) => {
+        rows: (columns, rows, time, counts) => {
           motion!.trajectory.append(columns, rows);
-          if (time > 0 && !onward) this.pace = seconds / time;
+          if (time > 0 && !onward) this.pace = counts.evaluations / time;
           batch(() => {
             take(false);
             if (adopted) {

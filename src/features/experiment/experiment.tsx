@@ -28,10 +28,12 @@ export function Experiment() {
     <div class="experiment" data-enter="run">
       <FileApart />
       <div class="scroll">
-        <SystemSection />
-        <StartSection />
-        <TimeSection />
-        <LowerSections />
+        <div class="sections">
+          <SystemSection />
+          <StartSection />
+          <TimeSection />
+          <LowerSections />
+        </div>
       </div>
       <RunBar />
     </div>

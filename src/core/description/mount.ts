@@ -51,6 +51,7 @@ function metaOf(model: Model, id: string): SystemMeta {
         ...(mesh === null ? {} : { model: mesh }),
       };
     }),
+    ...(model.shown.length > 0 ? { shown: model.shown } : {}),
     ...(model.events.length > 0
       ? { events: model.events.map((event) => ({ id: event.id, label: event.label, sets: event.sets })) }
       : {}),

@@ -195,6 +195,8 @@ export interface SystemMeta {
    * start on, and nothing acts on it.
    */
   clock?: string;
+  /** Names of coordinates, rates, parameters and inputs that the panel shows first; in no order of importance where left out. */
+  shown?: readonly string[];
   /** Functions of the state that end a run by falling through zero, under some constraint sets or (where empty) all. */
   events?: readonly { id: string; label: string; sets: readonly string[] }[];
   /** Sums of angles that have a name of their own, a plate's own roll: columns wherever coordinates are. */

@@ -8,7 +8,10 @@ const AT_REST = 1e-10;
 
 /** What energy did over a motion. */
 export interface EnergyNumbers {
-  /** (E - E at the start) / largest kinetic energy so far; null for a system at rest, where that means nothing. */
+  /**
+   * (E - E at the start) / largest kinetic energy so far; null for a system at rest, and for one with a clock, whose drives put
+   * in what is not counted: there that means nothing.
+   */
   energyDrift: number | null;
   /** E - E at the start, J. */
   energyChange: number;
@@ -31,11 +34,16 @@ export class EnergyBalance {
   private largestSize = 0;
   private work = 0;
   private readonly forcing: Forcing | null;
+  private readonly driven: boolean;
   private readonly force: Float64Array;
 
-  /** @param n coordinates */
-  constructor(forcing: Forcing | null, n: number) {
+  /**
+   * @param n coordinates
+   * @param driven what drives the system puts in energy that is not counted
+   */
+  constructor(forcing: Forcing | null, n: number, driven = false) {
     this.forcing = forcing;
+    this.driven = driven;
     this.force = new Float64Array(n);
   }
 
@@ -65,7 +73,7 @@ export class EnergyBalance {
   get numbers(): EnergyNumbers {
     const energyChange = this.energy - this.start;
     return {
-      energyDrift: driftOf(energyChange, this.largestKinetic, this.largestSize),
+      energyDrift: this.driven ? null : driftOf(energyChange, this.largestKinetic, this.largestSize),
       energyChange,
       work: this.forcing ? this.work : null,
     };

@@ -55,5 +55,6 @@ export function judgeMotion(
     residual = Math.max(residual, projection.residual(q, v));
   }
   const energyChange = energies[0]! + energies[1]! - first;
-  return { energyDrift: driftOf(energyChange, kinetic, size), energyChange, residual };
+  const energyDrift = system.clock === undefined ? driftOf(energyChange, kinetic, size) : null;
+  return { energyDrift, energyChange, residual };
 }

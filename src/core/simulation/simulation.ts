@@ -183,7 +183,7 @@ export class Simulation {
     this.coming = [...(pushes ?? [])].reverse();
     const forced = ({ forcing }: Actuation): Forcing | null =>
       this.hand ? together(forcing, this.hand.forcing) : forcing;
-    this.balance = new EnergyBalance(forced(stepped), n);
+    this.balance = new EnergyBalance(forced(stepped), n, system.clock !== undefined);
     this.charts = AttitudeCharts.of(system, parameters, scenario.constraints, hold);
     this.dynamics = new ConstrainedSystem(
       this.charts?.system ?? system,

@@ -40,7 +40,9 @@ export function SystemSection() {
   const draft = ui.app.state.draft.value;
   const system = ui.system.value;
   const errors = ui.app.state.draftErrors.value;
-  const systems = ui.app.systems.map(({ id, title }) => ({ id, label: title }));
+  const builtIn = ui.app.systems.map(({ id, title }) => ({ id, label: title }));
+  const own = builtIn.some(({ id }) => id === draft.system) ? undefined : system?.meta;
+  const systems = own ? [...builtIn, { id: own.id, label: own.title }] : builtIn;
   const choice = (
     <Choice
       label={words.system}

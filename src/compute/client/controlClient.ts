@@ -1,5 +1,6 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
+import type { Responses } from '../../core/control/responses.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
@@ -52,6 +53,15 @@ export class ControlClient {
       drop(end);
       return result;
     });
+  }
+
+  /** Loop gain at an input and a step's answer in a state. As `computer`. */
+  responses(file: ScenarioFile, input: string, state: string, asker: string): Promise<Answer<Responses | null> | null> {
+    return this.ask(
+      file,
+      asker,
+      (scenario) => this.worker.call('control.responses', { scenario, input, state }).result,
+    );
   }
 
   private ask<T>(

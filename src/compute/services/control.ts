@@ -41,6 +41,13 @@ export const calls: Handlers<ControlCalls> = {
     const { end, time, counts } = simulation;
     return meter.effect(end ?? { reason: 'cancelled', time }, counts.work);
   },
+  async 'control.responses'(request) {
+    const [{ responsesOf }, system] = await Promise.all([
+      import('../../core/control/responses.ts'),
+      systemOf(request.scenario),
+    ]);
+    return responsesOf(request, system);
+  },
   async 'control.locus'({ scenario, request }, { emit }) {
     const [{ scenarioLocus }, system] = await Promise.all([
       import('../../core/control/locus/scenarioLocus.ts'),

@@ -22,7 +22,7 @@ export interface Margins {
   disc: number;
 }
 
-interface Loop {
+export interface Loop {
   A: Matrix;
   B: Matrix;
   K: Matrix;
@@ -51,7 +51,7 @@ const NEUTRAL = 1e-7;
 const NEAR = Array.from({ length: 41 }, (_, i) => (i - 20) / 4);
 
 /** Frequencies (rad/s) that see every pole of the open and the closed loop, ascending. */
-function frequencies({ A, B, K }: Loop): number[] {
+export function frequencies({ A, B, K }: Loop): number[] {
   const poles = [...plainEigenvalues(A), ...plainEigenvalues(Matrix.sub(A, B.mmul(K)))];
   const largest = Math.max(...poles.map(modulus));
   const sizes = poles.map(modulus).filter((size) => size > NEUTRAL * largest);
@@ -64,7 +64,7 @@ function frequencies({ A, B, K }: Loop): number[] {
 }
 
 /** L(i w), k x k, as real and imaginary parts. */
-function loopGain({ A, B, K }: Loop, w: number): { re: Matrix; im: Matrix } {
+export function loopGain({ A, B, K }: Loop, w: number): { re: Matrix; im: Matrix } {
   const [n, k] = [A.rows, B.columns];
   const re = Float64Array.from(Matrix.mul(A, -1).to1DArray());
   const im = new Float64Array(n * n);
@@ -199,17 +199,20 @@ export function sampleTimeMargin({ A, B, K }: Loop): number {
 }
 
 /** One input's loop with the others closed. */
-function oneInput({ A, B, K }: Loop, i: number): Loop {
+export function oneInput({ A, B, K }: Loop, i: number): Loop {
   const others = B.mmul(K).sub(B.getColumnVector(i).mmul(K.getRowVector(i)));
   return { A: Matrix.sub(A, others), B: B.getColumnVector(i), K: K.getRowVector(i) };
 }
 
+/** L(i w) of a loop of one input. */
+function singleGain(loop: Loop, w: number): Complex {
+  const { re, im } = loopGain(loop, w);
+  return [re.get(0, 0), im.get(0, 0)];
+}
+
 /** Factors of the gain, down and up, at which a mode comes onto the axis: where L is real and negative, or at w = 0. */
 function gainMargin(loop: Loop, grid: readonly number[]): [number, number] {
-  const part = (w: number): Complex => {
-    const { re, im } = loopGain(loop, w);
-    return [re.get(0, 0), im.get(0, 0)];
-  };
+  const part = (w: number): Complex => singleGain(loop, w);
   const crossings = [...roots((w) => part(w)[1], grid), 0].map((w) => part(w)[0]).filter((re) => re < 0);
   const factors = crossings.map((re) => -1 / re);
   return [
@@ -219,10 +222,7 @@ function gainMargin(loop: Loop, grid: readonly number[]): [number, number] {
 }
 
 function phaseMargin(loop: Loop, grid: readonly number[]): number {
-  const at = (w: number): Complex => {
-    const { re, im } = loopGain(loop, w);
-    return [re.get(0, 0), im.get(0, 0)];
-  };
+  const at = (w: number): Complex => singleGain(loop, w);
   const lags = roots((w) => Math.log(modulus(at(w))), grid).map((w) => {
     const [re, im] = at(w);
     return Math.abs(Math.atan2(-im, -re));

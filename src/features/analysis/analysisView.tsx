@@ -13,9 +13,13 @@ import { LocusSection } from './locusSection.tsx';
 import { analysedPart, statesOf } from './names.ts';
 import { OrdersSection } from './ordersSection.tsx';
 import { PointSection } from './pointSection.tsx';
+import { later } from '../../ui/kit/later.tsx';
 import { ReachSection } from './reachSection.tsx';
 
 const ASKER = 'analysis';
+
+/** Loaded and computed when its section is opened. */
+const ResponsesBody = later(async () => (await import('./responsesSection.tsx')).ResponsesBody);
 
 export interface AnalysisProps {
   save: SaveText;
@@ -53,8 +57,25 @@ export function AnalysisView({ save }: AnalysisProps) {
           </>
         )}
       </div>
+      <ResponsesSection names={names} />
       <LocusSection names={names} system={system} save={save} />
     </div>
+  );
+}
+
+function ResponsesSection({ names }: { names: ReturnType<typeof statesOf> }) {
+  const open = useSignal(false);
+  return (
+    <details
+      class="section"
+      data-testid="responses-section"
+      onToggle={(event) => (open.value = event.currentTarget.open)}
+    >
+      <summary>
+        <h3>{words.responses}</h3>
+      </summary>
+      <div class="section-body">{open.value && <ResponsesBody names={names} />}</div>
+    </details>
   );
 }
 

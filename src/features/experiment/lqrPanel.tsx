@@ -8,6 +8,7 @@ import { withKey } from '../../app/state/draft.ts';
 import { formatShort } from '../../ui/kit/format.ts';
 import { ComputerFields } from './lqrComputer.tsx';
 import { LqrFacts, LqrReadout, useAskForDesign } from './lqrReadout.tsx';
+import { LqrTurns } from './lqrTurns.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { lqrWords, words } from './words.ts';
@@ -31,6 +32,7 @@ export function LqrPanel({ control }: { control: LqrControl }) {
       <p class="hint">{lqrWords.about}</p>
       <InputChoice control={control} meta={meta} change={change} />
       <OperatingPoint control={control} meta={meta} change={change} />
+      <LqrTurns control={control} meta={meta} />
       {(meta.forward ?? meta.speed) && <Schedule control={control} meta={meta} change={change} />}
       <div class="lqr-sets">
         <label>
@@ -57,6 +59,9 @@ export function LqrPanel({ control }: { control: LqrControl }) {
       </div>
       <div class="lqr-turned">
         <LqrReadout />
+        <p class="hint" data-testid="lqr-used">
+          {Object.keys(control.Q ?? {}).length > 0 ? lqrWords.usedNamed : lqrWords.usedOnes}
+        </p>
         <Weights control={control} meta={meta} change={change} />
       </div>
       <LqrFacts />

@@ -112,9 +112,16 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     const after = { draft: experiment.state.draft.peek(), origin: before.origin };
     if (after.draft !== before.draft) live.follow({ label, before, after });
   };
+  const byHand =
+    <Args extends unknown[]>(act: (...args: Args) => void) =>
+    (...args: Args): void => {
+      live.stay();
+      act(...args);
+    };
   const openScenario = (origin: CaseInfo, draft: ScenarioFile, autoplay?: boolean): void => {
     experiment.actions.replace(origin.title, { origin, draft });
     fields.actions.forgetRefused();
+    live.stay();
     runs.run(autoplay);
   };
   const files = new FileOpener({
@@ -171,18 +178,19 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     goToEdit,
     refuseField,
     goToField,
-    play,
-    pause,
-    togglePlaying,
-    seek,
-    stepRows,
+    play: byHand(play),
+    pause: byHand(pause),
+    togglePlaying: byHand(togglePlaying),
+    seek: byHand(seek),
+    stepRows: byHand(stepRows),
     setLoading: fileState.actions.setLoading,
     setMeshes: fileState.actions.setMeshes,
     start: () => runs.first(!preferences.reducedMotion),
     run() {
       const wrong = [...state.refusedFields.peek().keys(), ...draftErrors.peek().keys()][0];
-      if (wrong === undefined) runs.run();
-      else goToField(wrong);
+      if (wrong !== undefined) return goToField(wrong);
+      live.stay();
+      runs.run();
     },
     cancel: () => compute.run.cancel(),
     resetDraft() {

@@ -72,7 +72,11 @@ for (const theme of ['light', 'dark'] as const) {
       await expect(page.getByTestId('message')).toBeVisible();
       found.push(...(await check(page, 'message', '.messages')));
       await page.getByTestId('keys').click();
+      await expect(page.getByTestId('keys-dialog')).toBeVisible();
       found.push(...(await check(page, 'keys', 'dialog')));
+      await page.getByTestId('help-terms').click();
+      await expect(page.getByTestId('terms')).toBeVisible();
+      found.push(...(await check(page, 'words', 'dialog')));
       expect(found).toEqual([]);
     });
   });

@@ -108,21 +108,25 @@ export class LiveRuns {
     this.resting = setTimeout(() => this.goOn(), REST_MS);
   }
 
+  /** The person plays, pauses or goes somewhere: there the motion stays. */
+  stay(): void {
+    clearTimeout(this.resting);
+    this.left = null;
+  }
+
   private goOn(): void {
     const { stage, playback, replays } = this.context;
     const { left } = this;
     this.left = null;
+    if (!left) return;
     const start = stage.motion.peek()?.trajectory.start ?? 0;
-    // Whoever played or went elsewhere meanwhile stays there.
-    if (!left || playback.state.playing.peek() || playback.state.time.peek() !== start) return;
     playback.actions.seek(left.over ? start : left.time);
     playback.actions.setPlaying(left.playing || (left.over && replays));
   }
 
   private drop(): void {
-    clearTimeout(this.resting);
+    this.stay();
     clearTimeout(this.fading);
-    this.left = null;
     this.before.value = null;
   }
 }

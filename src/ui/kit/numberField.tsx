@@ -1,10 +1,12 @@
 import type { ComponentChildren } from 'preact';
 import { useId, useState } from 'preact/hooks';
 import { formatShort, isExpression, toShown } from './format.ts';
-import { Slider } from './slider.tsx';
+import { later } from './later.tsx';
 import { words } from './words.ts';
 import { useNumberField } from './useNumberField.ts';
 import type { NumberFieldState, NumberSpec } from './useNumberField.ts';
+
+export const Slider = later(async () => (await import('./slider.tsx')).Slider);
 
 /** The box alone: input, unit (drag it to scrub) and the dot that resets. */
 export function NumberBox({

@@ -6,10 +6,10 @@ import type { App } from '../../app/app.ts';
 import type { CaseInfo } from '../../app/state/cases.ts';
 import { Announcer } from './announcer.tsx';
 import { commandsOf } from './commands.ts';
-import { createUi, UiContext } from '../context.ts';
+import { createUi, UiContext, useUi } from '../context.ts';
 import type { FormulationChoice, MethodChoice } from '../context.ts';
 import type { Feature } from '../feature.ts';
-import { KeysDialog } from './keysDialog.tsx';
+import { later } from '../kit/later.tsx';
 import { Slot } from '../slot.tsx';
 import { useKeyboard } from './keyboard.ts';
 import { useMedia } from '../kit/media.ts';
@@ -38,6 +38,8 @@ export interface ShellProps {
   /** Takes away what this browser stores for the page. */
   onForget?: () => void;
 }
+
+const HelpDialog = later(async () => (await import('./helpDialog.tsx')).HelpDialog);
 
 /** A phone, or a tablet held upright; the same words stand in phone.css. */
 export const PHONE = '(max-width: 760px), (max-width: 1024px) and (orientation: portrait)';
@@ -75,10 +77,14 @@ export function Shell({
       </div>
       <Messages />
       <Slot name="dialog" />
-      <KeysDialog onForget={onForget} />
+      <Help onForget={onForget} />
       <Announcer />
     </UiContext.Provider>
   );
+}
+
+function Help({ onForget }: { onForget: ShellProps['onForget'] | undefined }) {
+  return useUi().app.state.dialog.value === 'keys' ? <HelpDialog onForget={onForget} /> : null;
 }
 
 function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneText'>) {

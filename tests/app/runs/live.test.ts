@@ -61,6 +61,16 @@ test('of the start the stage shows the start itself while it is changed, then go
   expect(app.state.playing.value).toBe(true);
 });
 
+test('who plays, pauses or goes elsewhere while the start is shown stays there', async () => {
+  const app = await hanging();
+  app.actions.seek(1.25);
+  app.actions.edit('roll', (draft) => withEntry(draft, 'initial', 'alpha_fp', '25 deg'));
+  app.actions.seek(0);
+  await followed(app);
+  await new Promise((done) => setTimeout(done, 1100));
+  expect([app.state.time.value, app.state.playing.value]).toEqual([0, false]);
+});
+
 test('changes come faster than runs: the last one is what is shown at the end', async () => {
   const app = await hanging();
   for (let k = 1; k <= 40; k++) {

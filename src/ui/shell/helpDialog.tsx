@@ -8,12 +8,7 @@ import { text } from '../words.ts';
 
 const KEYS = 'keys';
 
-export function KeysDialog({ onForget }: { onForget?: (() => void) | undefined }) {
-  const { app } = useUi();
-  return app.state.dialog.value === 'keys' ? <Help onForget={onForget} /> : null;
-}
-
-function Help({ onForget }: { onForget?: (() => void) | undefined }) {
+export function HelpDialog({ onForget }: { onForget?: (() => void) | undefined }) {
   const { app, features } = useUi();
   const [page, setPage] = useState(KEYS);
   const close = app.actions.closeDialog;

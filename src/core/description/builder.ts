@@ -1,6 +1,6 @@
 import type { InputMeta, ParameterMeta } from '../model/system.ts';
 import { RateError, type Frame, type Reader, type Scope, type Value, type Vector } from './expression.ts';
-import { Graph, type Id } from './graph.ts';
+import { Graph, MOST_READ, type Id } from './graph.ts';
 import type { BodyModel, Model, Row, SetModel, ShapeModel } from './model.ts';
 import { symbolOf } from './symbols.ts';
 import { DescriptionError, type LineToken } from './tokens.ts';
@@ -20,12 +20,15 @@ type Role = 'neutral' | 'first' | 'second';
 
 /** Makes the model of a description, statement by statement. */
 export class Builder implements Scope {
-  readonly graph = new Graph();
+  readonly graph = new Graph(MOST_READ);
   readonly world: Frame;
   readonly model: Model;
   private readonly values = new Map<string, Value>();
   private readonly vIds = new Set<Id>();
+  /** Rates of coordinates, and of all that was asked for so far. */
   private readonly rateOf = new Map<Id, Id>();
+  /** What has no rates in it, as far as it was asked for. */
+  private readonly placed = new Set<Id>();
   private clock: { q: Id; v: Id } | null = null;
   private readonly rows: { row: Row; sets: readonly string[] }[] = [];
   private readonly driven = new Map<number, Row>();
@@ -95,11 +98,15 @@ export class Builder implements Scope {
   }
 
   rate(ids: readonly Id[]): Id[] {
-    if (this.graph.reach(ids).some((i) => this.vIds.has(i)))
+    const { graph, placed, rateOf } = this;
+    const order = graph.beyond(ids, placed);
+    if (order.some((i) => this.vIds.has(i)))
       throw new RateError(
         'this has a rate in it, and the rate of a rate is an acceleration, which the equations of motion give',
       );
-    return this.graph.forward(ids, this.rateOf);
+    graph.spread(order, rateOf);
+    for (const i of order) placed.add(i);
+    return ids.map((i) => rateOf.get(i) ?? graph.zero);
   }
 
   rateAt(r: Reader, id: Id): Id {
@@ -117,7 +124,7 @@ export class Builder implements Scope {
 
   /** The same expression, which may have no rates in it. */
   ofPlace(r: Reader, id: Id): Id {
-    if (this.graph.depends(id, this.vIds))
+    if (this.graph.beyond([id], this.placed).some((i) => this.vIds.has(i)))
       r.fail('this may have no rates in it, only coordinates and parameters', r.tokens[1]);
     return id;
   }

@@ -64,6 +64,8 @@ const onNumbers: Partial<Record<OpName, (x: number) => number>> = {
 
 /** Nodes that a graph may have: a board has 40,000 with all its Jacobians, and each takes some 100 bytes. */
 export const MOST_NODES = 1_500_000;
+/** While it is read, which the page does between two keys: the board has 1,500. */
+export const MOST_READ = 150_000;
 
 /** The graph has grown beyond its limit; `work` says what was being made. */
 export class GrowthError extends Error {
@@ -85,11 +87,12 @@ export class Graph {
 
   private readonly known = new Map<number | string, Id>();
   private readonly numbers = new Map<number, Id>();
-  private readonly most: number;
+  /** Nodes that it may have. */
+  most: number;
   readonly zero: Id;
   readonly one: Id;
 
-  constructor(most = MOST_NODES) {
+  constructor(most: number) {
     this.most = most;
     this.zero = this.number(0);
     this.one = this.number(1);
@@ -292,6 +295,18 @@ export class Graph {
     return list;
   }
 
+  /** The same without what is known already, and what only that is made of. */
+  beyond(roots: readonly Id[], known: { has(i: Id): boolean }): Id[] {
+    const found = new Set<Id>();
+    const waiting = [...roots];
+    for (let i = waiting.pop(); i !== undefined; i = waiting.pop()) {
+      if (found.has(i) || known.has(i)) continue;
+      found.add(i);
+      for (const x of [this.a[i]!, this.b[i]!, this.c[i]!]) if (x >= 0) waiting.push(x);
+    }
+    return [...found].sort((x, y) => x - y);
+  }
+
   /** Whether any of some variables occurs in an expression. */
   depends(root: Id, variables: ReadonlySet<Id>): boolean {
     return this.reach([root]).some((i) => variables.has(i));
@@ -300,6 +315,12 @@ export class Graph {
   /** Derivatives of the roots in the direction that gives each variable of `seed` its rate; other variables stand still. */
   forward(roots: readonly Id[], seed: ReadonlyMap<Id, Id>, order = this.reach(roots)): Id[] {
     const rate = new Map<Id, Id>(seed);
+    this.spread(order, rate);
+    return roots.map((i) => rate.get(i) ?? this.zero);
+  }
+
+  /** Adds the rates of nodes, given in order, to those that are known; what stands still has none. */
+  spread(order: Iterable<Id>, rate: Map<Id, Id>): void {
     for (const i of order) {
       if (rate.has(i)) continue;
       const a = this.a[i]!;
@@ -312,7 +333,6 @@ export class Graph {
       const made = this.rateOf(i, da ?? this.zero, db ?? this.zero, dc ?? this.zero);
       if (made !== this.zero) rate.set(i, made);
     }
-    return roots.map((i) => rate.get(i) ?? this.zero);
   }
 
   private rateOf(i: Id, da: Id, db: Id, dc: Id): Id {

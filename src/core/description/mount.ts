@@ -4,7 +4,7 @@ import { checkEquations, solvedFor } from './checks.ts';
 import { equationsOf, jacobianOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
 import { meshOf } from './drawing.ts';
-import type { Id } from './graph.ts';
+import { MOST_NODES, type Id } from './graph.ts';
 import type { Model, SetModel } from './model.ts';
 import { needed, Program, type Arrays, type Call } from './program.ts';
 import { tangentsOf } from './tangents.ts';
@@ -91,6 +91,7 @@ export interface DeriveOptions {
 export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions = {}): System {
   const { graph, q, v, p } = model;
   const at = { q, v, p };
+  graph.most = MOST_NODES;
   if (!model.mechanical) return firstOrderSystem(model, view);
   const equations = equationsOf(model, step);
   checkEquations(model, equations);

@@ -2,7 +2,7 @@
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import { useComputed, useSignal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { SaveMenu } from '../../ui/kit/saveMenu.tsx';
 import type { Comparison, Outcome } from '../../app/runs/comparison.ts';
 import { methodSets, type MethodChoice, type MethodSet } from '../../core/cases/methodSets.ts';
@@ -13,7 +13,9 @@ import { CURVES } from '../../app/runs/curveStyles.ts';
 import { formatCount, formatDrift, formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';
 import type { Chart } from '../../charts/chart.ts';
+import type { SystemMeta } from '../../core/model/system.ts';
 import { columnOf } from '../../core/motion/columns.ts';
+import { partingOf } from '../../core/motion/parting.ts';
 import { MethodChart, PRECISION } from './methodChart.tsx';
 import { words } from './words.ts';
 
@@ -44,6 +46,27 @@ export function Methods(props: MethodsProps) {
       </p>
       <SetOfMethods key={chosen.value.id} {...props} set={chosen.value} />
     </div>
+  );
+}
+
+/** To how many digits the methods that ended agree, and where they part. */
+function Agreement({ comparison, meta, busy }: { comparison: Comparison; meta: SystemMeta; busy: boolean }) {
+  const runs = comparison.outcomes.value.flatMap(({ state, trajectory }) =>
+    state === 'ended' && trajectory ? [trajectory] : [],
+  );
+  const parting = useMemo(() => (busy ? null : partingOf(meta, runs)), [busy, comparison.outcomes.value]);
+  if (!parting) return null;
+  const { until, compared } = parting;
+  // Cut, not rounded: they agree at least so long.
+  const cut = (t: number): string => words.seconds(Math.floor(t * 100 + 1e-6) / 100);
+  return (
+    <p role="status" data-testid="methods-agree">
+      {until[4] === compared
+        ? words.agree(cut(compared))
+        : until[1] === compared
+          ? words.fade(cut(until[4]), cut(until[2]), cut(compared))
+          : words.part(cut(until[4]), words.seconds(Math.ceil(until[1] * 100 - 1e-6) / 100))}
+    </p>
   );
 }
 
@@ -150,6 +173,7 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
           </tbody>
         </table>
       </TableScroll>
+      <Agreement comparison={comparison} meta={meta} busy={busy.value} />
       {all.length > chosen.value.size && (
         <button
           type="button"

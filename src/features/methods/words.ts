@@ -15,6 +15,13 @@ export const words = {
     'reached, s',
     'ended',
   ],
+  agree: (compared: string) =>
+    `The methods agree to 4 digits to the end, ${compared}. That makes none of them right, but it is a good sign.`,
+  part: (four: string, none: string) =>
+    `The methods agree to 4 digits until ${four}; after ${none} they have no digit in common.`,
+  fade: (four: string, two: string, compared: string) =>
+    `The methods agree to 4 digits until ${four}, to 2 until ${two}, and to 1 to the end, ${compared}.`,
+  seconds: (t: number) => `${t} s`,
   run: 'Run the chosen ones',
   set: 'Compare',
   projection: 'project onto the constraints',

@@ -216,7 +216,9 @@ export async function pause(page: Page): Promise<void> {
 /** `5.800 s` or `−2e−16` as a number. */
 export async function numberIn(page: Page, testId: string): Promise<number> {
   const text = (await page.getByTestId(testId).innerText()).replaceAll('\u2212', '-');
-  return parseFloat(text);
+  const raised = /·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/.exec(text)?.[1] ?? '';
+  const exponent = [...raised].map((c) => (c === '⁻' ? '-' : '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(c))).join('');
+  return parseFloat(text) * 10 ** Number(exponent);
 }
 
 // ── the scene

@@ -15,6 +15,8 @@ export interface CaseInfo {
   source?: string | undefined;
   figure?: string | undefined;
   chapter?: string | undefined;
+  /** Of cases that differ in one thing: what they share, and this one's value. */
+  among?: Case['among'] | undefined;
   /** Where its picture is taken. */
   picture?: Case['picture'] | undefined;
 }

@@ -12,6 +12,8 @@ export interface Case {
   chapter?: string | undefined;
   /** One line: what to look at. */
   look: string;
+  /** Of cases that differ in one thing: the id that they share, and this one's value of it, e.g. `2 m/s`. */
+  among?: { id: string; value: string };
   scenario: ScenarioFile;
   /** Numbers known from elsewhere, which the run meets within their tolerance. */
   published?: readonly Published[] | undefined;

@@ -94,24 +94,47 @@ const titleOf = ({ title }: Motion, view: ShotPlan['view']): string =>
 
 const progress = (done: number): void => void (job.value = { ...job.peek()!, done });
 
+/** What is drawn of the picture that is chosen, at a time (s). */
+export function picturePlan(time: number): ShotPlan {
+  const { width, height, transparent, labels, fine, view } = choices.picture.value;
+  return {
+    width,
+    height,
+    transparent,
+    labels: labels && !transparent,
+    supersample: fine ? 2 : 1,
+    view,
+    follow: true,
+    from: time,
+    closeUpTitle: page.viewMenu.insetTitle,
+  };
+}
+
+/** The same of the video, whose motion begins at a time (s). */
+export function videoPlan(app: App, from: number): ShotPlan {
+  const { width, height, labels, fine, view, follow } = choices.video.value;
+  return {
+    width,
+    height,
+    transparent: false,
+    labels,
+    supersample: fine ? 2 : 1,
+    view,
+    follow: follow ?? app.state.follow.value,
+    from,
+    closeUpTitle: page.viewMenu.insetTitle,
+  };
+}
+
+/** What is written into a frame of the video, at a time (s). */
+export const captionOf = ({ title }: Motion, t: number): string | null =>
+  choices.video.value.caption ? text.burnt(title, t.toFixed(2)) : null;
+
 export function savePicture(app: App, renderer: ExportRenderer, motion: Motion): Promise<void> {
-  const { width, height, transparent, labels, fine, view } = choices.picture.peek();
+  const { width, height, view } = choices.picture.peek();
   const time = app.state.time.peek();
   return work(app, 1, 'frames', async (signal) => {
-    const shot = await renderer.open(
-      {
-        width,
-        height,
-        transparent,
-        labels: labels && !transparent,
-        supersample: fine ? 2 : 1,
-        view,
-        follow: true,
-        from: time,
-        closeUpTitle: page.viewMenu.insetTitle,
-      },
-      signal,
-    );
+    const shot = await renderer.open(picturePlan(time), signal);
     try {
       shot.draw(time, null);
       const blob = await new Promise<Blob | null>((done) => shot.canvas.toBlob(done, 'image/png'));
@@ -124,28 +147,15 @@ export function savePicture(app: App, renderer: ExportRenderer, motion: Motion):
 }
 
 export function saveVideo(app: App, renderer: ExportRenderer, motion: Motion, encoding: Encoding): Promise<void> {
-  const { width, height, fps, speed, labels, fine, view, follow, caption } = choices.video.peek();
+  const { width, height, fps, speed, view } = choices.video.peek();
   const range: VideoRange = { ...rangeOf(motion), fps, speed };
   const frames = frameCount(range);
   return work(app, frames, 'frames', async (signal) => {
-    const shot = await renderer.open(
-      {
-        width,
-        height,
-        transparent: false,
-        labels,
-        supersample: fine ? 2 : 1,
-        view,
-        follow: follow ?? app.state.follow.peek(),
-        from: range.from,
-        closeUpTitle: page.viewMenu.insetTitle,
-      },
-      signal,
-    );
+    const shot = await renderer.open(videoPlan(app, range.from), signal);
     const { encodeVideo } = await import('./video.ts');
     const draw = (k: number): void => {
       const t = frameTime(range, k);
-      shot.draw(t, caption ? text.burnt(motion.title, t.toFixed(2)) : null);
+      shot.draw(t, captionOf(motion, t));
     };
     try {
       const blob = await encodeVideo({

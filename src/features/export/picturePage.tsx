@@ -5,7 +5,8 @@ import { words as text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
 import { SizeFields, ViewField } from './fields.tsx';
-import { choices, job, savePicture } from './jobs.ts';
+import { choices, job, picturePlan, savePicture } from './jobs.ts';
+import { Preview } from './preview.tsx';
 
 /** Saves, or says why it can't. */
 export function SaveButton({ testId, reason }: { testId: string; reason: string | null }) {
@@ -30,6 +31,8 @@ const PNG_BYTES = 0.35;
 export function PicturePage({ motion, renderer }: { motion: Motion; renderer: ExportRenderer }) {
   const { app } = useUi();
   const now = choices.picture.value;
+  // While it plays a new one each second is enough.
+  const time = app.state.playing.value ? Math.floor(app.state.time.value) : app.state.time.value;
   const set = (change: Partial<typeof now>): void =>
     void (choices.picture.value = { ...choices.picture.peek(), ...change });
   return (
@@ -39,6 +42,7 @@ export function PicturePage({ motion, renderer }: { motion: Motion; renderer: Ex
         void savePicture(app, renderer, motion);
       }}
     >
+      <Preview renderer={renderer} plan={picturePlan(time)} time={time} />
       <SizeFields prefix="png" width={now.width} height={now.height} onChange={set} />
       <ViewField view={now.view} motion={motion} testId="png-view" onChange={(view) => set({ view })} />
       <Choice

@@ -9,8 +9,9 @@ import { useUi } from '../../ui/context.ts';
 import { Check, Choice } from '../../ui/kit/controls.tsx';
 import { formatSpeed } from '../../ui/kit/format.ts';
 import { RangeFields, SizeFields, ViewField } from './fields.tsx';
-import { choices, rangeOf, saveVideo } from './jobs.ts';
+import { captionOf, choices, rangeOf, saveVideo, videoPlan } from './jobs.ts';
 import { SaveButton } from './picturePage.tsx';
+import { Preview } from './preview.tsx';
 
 const RATES = [24, 25, 30, 50, 60];
 const SPEEDS = [4, 2, 1, 1 / 2, 1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64];
@@ -70,6 +71,7 @@ export function VideoPage({ motion, renderer }: { motion: Motion; renderer: Expo
   };
   return (
     <form onSubmit={save}>
+      <Preview renderer={renderer} plan={videoPlan(app, from)} time={from} caption={captionOf(motion, from)} />
       <SizeFields even prefix="video" width={now.width} height={now.height} onChange={set} />
       <RangeFields motion={motion} />
       <Choice

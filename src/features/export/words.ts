@@ -2,6 +2,7 @@
 export const words = {
   kinds: 'What to export',
   tabs: { picture: 'Picture', video: 'Video', glb: '3-D file', data: 'Data' },
+  preview: 'Preview',
   size: 'Size',
   own: 'own size',
   width: 'Width (px)',

@@ -14,12 +14,13 @@ function gallery() {
   const load = vi.spyOn(app.actions, 'loadCase').mockImplementation(() => {});
   const onClose = vi.fn<() => void>();
   const { container } = draw(<Gallery onClose={onClose} />, { app });
-  const cards = () => [...container.querySelectorAll('.card')].map((card) => card.getAttribute('data-testid')!);
+  const cards = () =>
+    [...container.querySelectorAll('[data-testid^="case-"]')].map((card) => card.getAttribute('data-testid')!);
   const search = (words: string) => fireEvent.input(screen.getByTestId('gallery-search'), { target: { value: words } });
   return { app, load, onClose, cards, search };
 }
 
-test('one card a case, the panel’s own marked', () => {
+test('every case has a card or a choice on one, the panel’s own marked', () => {
   const { app, cards } = gallery();
   expect(new Set(cards())).toEqual(new Set(app.cases.map(({ id }) => `case-${id}`)));
   expect(screen.getByTestId(`case-${app.state.origin.value.id}`).getAttribute('aria-current')).toBe('true');
@@ -29,7 +30,7 @@ test('a search goes over system, figure and words, and says when there is none',
   const { cards, search } = gallery();
   search('stiff decay');
   expect(cards()).toHaveLength(3);
-  expect(screen.getByTestId('gallery-3.4')).toBeTruthy();
+  expect(screen.getByTestId('gallery-mathematics')).toBeTruthy();
   search('cart LQR');
   expect(cards()).toEqual(['case-cart-pendulum-lqr']);
   search('zebra');

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { CaseInfo } from '../../app/state/cases.ts';
 import { text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
-import { matches, sectionsOf } from './gallerySections.ts';
+import { matches, sectionsOf, type Family } from './gallerySections.ts';
 import './gallery.css';
 
 export function Gallery({ onClose }: { onClose(): void }) {
@@ -22,12 +22,12 @@ export function Gallery({ onClose }: { onClose(): void }) {
     app.actions.loadCase(id);
   };
   const sections = sectionsOf(found.value);
-  const firstOfReport = sections.find(({ id }) => id.startsWith('3.'))?.id;
+  const firstOfReport = sections.find(({ families }) => families.some((family) => family.some((c) => c.chapter)))?.id;
   return (
     <div
       class="gallery"
       onKeyDown={(event) =>
-        moveOverCards(event, [...(grid.current?.querySelectorAll<HTMLButtonElement>('.card') ?? [])])
+        moveOverCards(event, [...(grid.current?.querySelectorAll<HTMLButtonElement>('.card, .card-choice') ?? [])])
       }
     >
       <div class="gallery-bar">
@@ -49,19 +49,19 @@ export function Gallery({ onClose }: { onClose(): void }) {
         <span class="hint gallery-keys">{text.keys}</span>
       </div>
       <div ref={grid}>
-        {sections.map(({ id, cases }) => (
+        {sections.map(({ id, families }) => (
           <section key={id} aria-label={text.sections[id]} data-testid={`gallery-${id}`}>
             <h3>{text.sections[id]}</h3>
             {id === firstOfReport && <p class="hint">{text.report}</p>}
             <div class="cards">
-              {cases.map((c) => (
+              {families.map((family) => (
                 <Card
-                  key={c.id}
-                  of={c}
-                  system={titleOf(c)}
-                  current={c.id === ui.origin.value?.id}
+                  key={family[0].id}
+                  family={family}
+                  system={titleOf(family[0])}
+                  current={ui.origin.value?.id}
                   theme={app.state.theme.value}
-                  onChoose={() => choose(c.id)}
+                  onChoose={choose}
                 />
               ))}
             </div>
@@ -91,6 +91,7 @@ function nextCard(cards: readonly HTMLButtonElement[], at: number, key: string):
   // Rows of different sections have different lengths: the nearest card of the next row.
   const here = cards[at]!.getBoundingClientRect();
   const beyond = cards
+    .filter((card) => card.classList.contains('card'))
     .map((card) => ({ card, box: card.getBoundingClientRect() }))
     .filter(({ box }) => way * (box.top - here.top) > 1);
   const row = Math.min(...beyond.map(({ box }) => way * box.top));
@@ -100,39 +101,65 @@ function nextCard(cards: readonly HTMLButtonElement[], at: number, key: string):
   );
 }
 
+/** A case; of several that differ in one thing the first, or what a choice under it is pointed at. */
 function Card({
-  of: c,
+  family,
   system,
   current,
   theme,
   onChoose,
 }: {
-  of: CaseInfo;
+  family: Family;
   system: string;
-  current: boolean;
+  current: string | undefined;
   theme: string;
-  onChoose(): void;
+  onChoose(id: string): void;
 }) {
+  const pointed = useSignal<CaseInfo | null>(null);
+  const first = family[0];
+  const c = pointed.value ?? first;
   const from = [c.figure, c.chapter && text.section(c.chapter)].filter(Boolean).join(', ') || c.source;
   const kind = c.scenario.control?.type;
+  const here = family.some(({ id }) => id === current);
+  const point = (one: CaseInfo | null) => () => void (pointed.value = one);
   return (
-    <button
-      type="button"
-      class="card"
-      aria-current={current ? 'true' : undefined}
-      data-testid={`case-${c.id}`}
-      onClick={onChoose}
-    >
-      <img src={`cases/${c.id}-${theme}.webp`} width="360" height="225" alt="" loading="lazy" decoding="async" />
-      <span class="card-title">{c.title}</span>
-      <span class="badges">
-        <span class="badge">{system}</span>
-        {kind && <span class="badge strong">{text[kind]}</span>}
-      </span>
-      <span class="card-look">{c.summary}</span>
-      {(from || current) && (
-        <span class="card-from">{[current ? text.now : '', from].filter(Boolean).join(' · ')}</span>
+    <div class="card-frame">
+      <button
+        type="button"
+        class="card"
+        aria-current={here ? 'true' : undefined}
+        data-testid={`case-${first.id}`}
+        onClick={() => onChoose(first.id)}
+      >
+        <img src={`cases/${c.id}-${theme}.webp`} width="360" height="225" alt="" loading="lazy" decoding="async" />
+        <span class="card-title">{c.title}</span>
+        <span class="badges">
+          <span class="badge">{system}</span>
+          {kind && <span class="badge strong">{text[kind]}</span>}
+        </span>
+        <span class="card-look">{c.summary}</span>
+        {(from || here) && <span class="card-from">{[here ? text.now : '', from].filter(Boolean).join(' · ')}</span>}
+      </button>
+      {family.length > 1 && (
+        <div class="card-choices" role="group" aria-label={text.choices(first.title)} onMouseLeave={point(null)}>
+          {family.map((one) => (
+            <button
+              key={one.id}
+              type="button"
+              class="card-choice"
+              title={one.title}
+              aria-current={one.id === current ? 'true' : undefined}
+              data-testid={one === first ? `choice-${one.id}` : `case-${one.id}`}
+              onMouseEnter={point(one)}
+              onFocus={point(one)}
+              onBlur={point(null)}
+              onClick={() => onChoose(one.id)}
+            >
+              {one.among!.value}
+            </button>
+          ))}
+        </div>
       )}
-    </button>
+    </div>
   );
 }

@@ -10,7 +10,7 @@ import type { MethodOptions } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { CURVES } from '../../app/runs/curveStyles.ts';
-import { formatCount, formatDrift, formatScientific, formatShort } from '../../ui/kit/format.ts';
+import { formatCount, formatDrift, formatPower, formatShort } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';
 import type { Chart } from '../../charts/chart.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
@@ -290,7 +290,7 @@ function Row({
       </th>
       <td>{outcome && outcome.seconds > 0 ? formatShort(outcome.seconds, 3) : '–'}</td>
       <td>{counts ? formatDrift(counts) : '–'}</td>
-      <td>{counts ? formatScientific(counts.residual, 0) : '–'}</td>
+      <td>{counts ? formatPower(counts.residual) : '–'}</td>
       <td>{counts ? <Pair of={counts.steps} besides={counts.rejected} /> : '–'}</td>
       <td>{counts ? <Pair of={counts.evaluations} besides={counts.jacobians} /> : '–'}</td>
       <td class="reached">{outcome ? formatShort(outcome.reached, 4) : '–'}</td>

@@ -3,7 +3,7 @@ import type { Motion } from '../../app/runs/motion.ts';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
 import { Connection } from './connection.tsx';
 import { useUi } from '../context.ts';
-import { formatCount, formatPower, formatScientific, THIN, type EnergyFacts } from '../kit/format.ts';
+import { formatCount, formatPower, THIN, type EnergyFacts } from '../kit/format.ts';
 import { Term } from '../kit/term.tsx';
 import { Slot } from '../slot.tsx';
 import { text } from '../words.ts';
@@ -15,7 +15,7 @@ export function StatusLine() {
   const ui = useUi();
   const motion = ui.app.state.motion.value;
   return (
-    <footer class="status" data-testid="status" aria-label={text.status.label}>
+    <footer class="status" data-testid="status" aria-label={text.status.label} tabIndex={0}>
       {motion?.source === 'mode' ? (
         <span>{text.viewMenu.modeFacts}</span>
       ) : motion?.source === 'file' ? (
@@ -110,7 +110,7 @@ function Trust({
       <Energy numbers={numbers} driven={driven} />
       <span title={words.residualTitle}>
         <Term id="residual">{words.residual}</Term>{' '}
-        <b data-testid="residual">{numbers ? formatScientific(numbers.residual, 0) : '–'}</b>
+        <b data-testid="residual">{numbers ? formatPower(numbers.residual) : '–'}</b>
       </span>
     </>
   );

@@ -64,17 +64,27 @@ describe('pictures of the cases', () => {
 
 describe('sections and search', () => {
   test('every case stands in one section, in its order', () => {
-    const placed = sectionsOf(infos).flatMap((section) => section.cases);
+    const placed = sectionsOf(infos).flatMap((section) => section.families.flat());
     expect(new Set(placed.map(({ id }) => id)).size).toBe(infos.length);
     expect(placed).toHaveLength(infos.length);
   });
 
-  test('a chapter of the report is a section; the board’s own cases come first', () => {
+  test('the sections are a story; the board’s own cases come first', () => {
     const at = (id: string) => sectionOf(infos.find((one) => one.id === id)!);
     expect(
       ['ridden', 'caster-rotation', 'hanging', 'stiff-decay-euler-4', 'wheel-pendulum-lqr', 'bicycle-weave'].map(at),
-    ).toEqual(['board', '3.2', '3.3', '3.4', '3.5', 'papers']);
+    ).toEqual(['board', 'parts', 'mathematics', 'mathematics', 'control', 'mathematics']);
     expect(sectionsOf(infos)[0]!.id).toBe('board');
+  });
+
+  test('cases that differ in one thing are one card, with a value of its own for each', () => {
+    const families = sectionsOf(infos).flatMap((section) => section.families);
+    const together = families.filter((family) => family.length > 1).map((family) => family.map(({ id }) => id));
+    expect(together).toContainEqual(['released', 'coasting-2', 'coasting-3']);
+    for (const family of families.filter(({ length }) => length > 1)) {
+      expect(new Set(family.map(({ among }) => among?.id)).size).toBe(1);
+      expect(new Set(family.map(({ among }) => among?.value)).size).toBe(family.length);
+    }
   });
 
   test('title, look, figure, source, system and controller are searched; all words count', () => {

@@ -18,6 +18,7 @@ const pushed = (
 ): Case => ({
   id: `bicycle-${id}`,
   title,
+  among: { id: 'bicycle', value: `${speed}\u202fm/s` },
   source,
   look,
   picture,

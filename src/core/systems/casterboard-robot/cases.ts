@@ -15,6 +15,7 @@ function forward(id: string, title: string, phase: number, words: string, look: 
   return {
     id: `casterboard-robot-${id}`,
     title,
+    among: { id: 'casterboard-robot', value: title.replace('Robot, plates ', '') },
     source: 'Kinugasa et al. 2013, the report’s reference [19]',
     look,
     picture: { time: 3.2, distance: 1.3 },

@@ -127,6 +127,7 @@ export const ripstikCases: readonly Case[] = [
   {
     id: 'released',
     title: 'Released at 1 m/s',
+    among: { id: 'released', value: '1\u202fm/s' },
     source: '',
     look: 'Half a degree of lean grows until a corner of the deck touches the ground.',
     picture: { time: 0.52 },
@@ -139,6 +140,7 @@ export const ripstikCases: readonly Case[] = [
   ...[2, 3].map((speed): Case => ({
     id: `coasting-${speed}`,
     title: `Released at ${speed} m/s`,
+    among: { id: 'released', value: `${speed}\u202fm/s` },
     source: '',
     picture: { time: speed === 2 ? 0.56 : 0.61 },
     look: 'The same half degree of lean: the faster the board coasts, the later it falls. Its casters steer into the fall, but too little to stop it.',

@@ -5,6 +5,7 @@ function run(method: string, name: string, step: number, look: string, steps: re
   return {
     id: `stiff-decay-${method}-${1 / step}`,
     title: `Stiff decay: ${name}, h = 1/${1 / step} (Fig. 13)`,
+    among: { id: 'stiff-decay', value: `${name}, h = 1/${1 / step}` },
     source: 'Report, section 3.4.3, Fig. 13',
     figure: 'Fig. 13',
     chapter: '3.4.3',
@@ -35,14 +36,14 @@ export const stiffDecayCases: readonly Case[] = [
     'euler',
     'Euler',
     1 / 4,
-    'Each step multiplies by -2.75: the values swing and grow without bound.',
+    'Each step multiplies by −2.75: the values swing and grow without bound.',
     [-2.75, 7.5625],
   ),
   run(
     'euler',
     'Euler',
     1 / 8,
-    'Each step multiplies by -0.875: the values swing about the exact ones and die away slowly.',
+    'Each step multiplies by −0.875: the values swing about the exact ones and die away slowly.',
     [-0.875, 0.765625],
   ),
   run(

@@ -13,6 +13,9 @@ import { modulus, plainEigenvalues } from './linearization/spectrum.ts';
 export interface Responses {
   inputs: readonly string[];
   states: readonly string[];
+  /** What it is of. */
+  input: string;
+  state: string;
   /** Of the loop gain L(i w) at one input; rad/s, ascending. */
   loop: { frequency: number[]; real: number[]; imaginary: number[] };
   /** A step of 1 added to what the input asks, from 0 s: the deviation of a state, and of what the regulator asks. */
@@ -21,7 +24,7 @@ export interface Responses {
 
 export interface ResponsesRequest {
   scenario: Scenario;
-  /** Names. */
+  /** Names; one that is none stands for the first input, and for the state that answers most. */
   input: string;
   state: string;
 }
@@ -39,7 +42,6 @@ export function responsesOf({ scenario, input, state }: ResponsesRequest, system
   if (A.rows === 0) return null;
   const K = design.riccati.gain;
   const at = Math.max(0, inputs.indexOf(input));
-  const row = Math.max(0, states.indexOf(state));
   const loop = { A, B, K };
   const single = oneInput(loop, at);
   // Every few of the frequencies that see each pole.
@@ -57,17 +59,27 @@ export function responsesOf({ scenario, input, state }: ResponsesRequest, system
   const E = exponential(driven);
   let x = Matrix.zeros(n + 1, 1);
   x.set(n, 0, 1);
+  const answers: number[][] = [];
   const step: Responses['step'] = { t: [], state: [], input: [] };
   for (let k = 0; k <= STEPS; k++) {
     const z = x.subMatrix(0, n - 1, 0, 0);
     step.t.push(k * h);
-    step.state.push(toStates.getRowVector(row).mmul(z).get(0, 0));
+    answers.push(toStates.mmul(z).to1DArray());
     step.input.push(-K.getRowVector(at).mmul(z).get(0, 0));
     x = E.mmul(x);
   }
+  const peak = (i: number): number => Math.max(...answers.map((x) => Math.abs(x[i]!)));
+  // Of coordinates: what rates do follows.
+  const most = states
+    .slice(0, Math.ceil(states.length / 2))
+    .reduce((best, _, i) => (peak(i) > peak(best) ? i : best), 0);
+  const row = states.includes(state) ? states.indexOf(state) : most;
+  step.state = answers.map((x) => x[row]!);
   return {
     inputs,
     states,
+    input: inputs[at]!,
+    state: states[row]!,
     loop: {
       frequency: all,
       real: gains.map(({ re }) => re.get(0, 0)),

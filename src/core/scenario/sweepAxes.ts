@@ -146,8 +146,15 @@ function controlPaths(meta: SystemMeta, file: ScenarioFile, { control }: Scenari
     angle,
     present,
   });
+  const computer = control.sample
+    ? [
+        path('sample', 'sample time of the computer', control.sample, 's'),
+        path('delay', 'delay of the computer', control.delay ?? 0, 's'),
+        ...(control.sensors ? [path('seed', 'seed of the sensors’ noise', control.seed ?? 0)] : []),
+      ]
+    : [];
   if (control.type === 'track')
-    return [path('kp', 'proportional gain', control.kp), path('kd', 'derivative gain', control.kd)];
+    return [path('kp', 'proportional gain', control.kp), path('kd', 'derivative gain', control.kd), ...computer];
   const states = statesOf(meta);
   const written = file.control?.type === 'lqr' ? file.control : undefined;
   const named = states.filter(({ name }) => written?.at?.[name] !== undefined);
@@ -173,6 +180,7 @@ function controlPaths(meta: SystemMeta, file: ScenarioFile, { control }: Scenari
     ...inputsOf(meta)
       .filter(({ name }) => control.inputs.includes(name))
       .map(({ name, label }) => path(`R.${name}`, `weight of ${label}`, Number(control.R?.[name] ?? 1))),
+    ...computer,
   ];
 }
 

@@ -18,7 +18,7 @@ const DEGREE = Math.PI / 180;
 const NYQUIST = 4;
 
 export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> }) {
-  const { app } = useUi();
+  const { app, system } = useUi();
   const input = useSignal('');
   const state = useSignal('');
   const answer = useSignal<Responses | null>(null);
@@ -38,20 +38,18 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
   if (!shown) return <p class={problem.value ? 'error' : 'hint'}>{problem.value || words.noLoop}</p>;
   const { inputs, states, loop, step } = shown;
   const { magnitude, phase } = bodeOf(loop);
-  const stateName = state.value || states[0]!;
+  const stateName = shown.state;
   const label = names.get(stateName)?.label ?? stateName;
   const angle = names.get(stateName)?.degrees === true;
-  const choice = (of: typeof input, options: readonly string[], name: string, testId: string) => (
+  const labelOf = (name: string): string =>
+    names.get(name)?.label ?? system.value?.meta.inputs.find((i) => i.name === name)?.label ?? name;
+  const choice = (of: typeof input, now: string, options: readonly string[], name: string, testId: string) => (
     <label>
       {name}{' '}
-      <select
-        data-testid={testId}
-        value={of.value || options[0]}
-        onChange={(event) => (of.value = event.currentTarget.value)}
-      >
+      <select data-testid={testId} value={now} onChange={(event) => (of.value = event.currentTarget.value)}>
         {options.map((option) => (
           <option key={option} value={option}>
-            {names.get(option)?.label ?? option}
+            {labelOf(option)}
           </option>
         ))}
       </select>
@@ -60,22 +58,23 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
   const over = { title: plain(words.frequency), kind: 'logarithmic' as const, air: 0 };
   return (
     <div data-testid="responses">
-      {choice(input, inputs, words.loopInput, 'responses-input')}
+      {choice(input, shown.input, inputs, words.loopInput, 'responses-input')}
       <Curve
         label={words.magnitude}
         picture={{
           x: over,
-          y: { title: plain(words.magnitude), kind: 'logarithmic' },
-          marks: [lineAcross('x', 1), curveOf(words.magnitude, loop.frequency, magnitude)],
+          y: { title: plain(words.gainAxis), kind: 'logarithmic' },
+          marks: [lineAcross('y', 1), curveOf(words.magnitude, loop.frequency, magnitude)],
         }}
       />
       <Curve
         label={words.phase}
         picture={{
           x: over,
-          y: { title: plain(words.phase) },
+          y: { title: plain(words.phaseAxis) },
           marks: [
-            lineAcross('x', -180),
+            lineAcross('y', -180),
+            lineAcross('y', 180),
             curveOf(
               words.phase,
               loop.frequency,
@@ -86,6 +85,7 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
       />
       <Curve
         label={words.nyquist}
+        tall
         picture={{
           x: { title: plain(words.nyquistReal), range: [-NYQUIST, NYQUIST] },
           y: { title: plain(words.nyquistImaginary), range: [-NYQUIST, NYQUIST] },
@@ -99,14 +99,14 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
         }}
       />
       <p class="hint">{words.stepNote}</p>
-      {choice(state, states, words.stepState, 'responses-state')}
+      {choice(state, stateName, states, words.stepState, 'responses-state')}
       <Curve
         label={words.stepOf(label)}
         picture={{
           x: { title: plain(words.stepTime), air: 0 },
           y: { title: plain(angle ? `${label}, °` : label), zero: true },
           marks: [
-            lineAcross('x', 0),
+            lineAcross('y', 0),
             curveOf(
               label,
               step.t,
@@ -119,8 +119,8 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
         label={words.stepInput}
         picture={{
           x: { title: plain(words.stepTime), air: 0 },
-          y: { title: plain(words.stepInput), zero: true },
-          marks: [lineAcross('x', 0), curveOf(words.stepInput, step.t, step.input)],
+          y: { title: plain(words.stepAxis), zero: true },
+          marks: [lineAcross('y', 0), curveOf(words.stepInput, step.t, step.input)],
         }}
       />
     </div>
@@ -129,11 +129,11 @@ export function ResponsesBody({ names }: { names: ReadonlyMap<string, Column> })
 
 const curveOf = (label: string, x: number[], y: number[]) => curveMark({ ...CURVES[0]!, label: plain(label), x, y });
 
-function Curve({ label, picture }: { label: string; picture: Picture }) {
+function Curve({ label, picture, tall = false }: { label: string; picture: Picture; tall?: boolean }) {
   const { app } = useUi();
   return (
     <ChartView
-      class="response"
+      class={tall ? 'response tall' : 'response'}
       label={label}
       options={{}}
       // The theme's colours are in force after the page's own effect: draw in the next frame.

@@ -102,7 +102,7 @@ export function LqrFacts() {
       {untouched.length > 0 && (
         <p class="hint">{words.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
       )}
-      {free && <p class="hint">{words.rollsFreely(free.label, sums.map((s) => s.label).join(', '))}</p>}
+      {free && <p class="hint">{words.rollsFreely(free.label, sums.map((s) => s.label).join('; '))}</p>}
     </div>
   );
 }

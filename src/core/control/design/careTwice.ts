@@ -1,4 +1,5 @@
 import { Matrix } from 'ml-matrix';
+import { doubled, type Algebra } from './doubling.ts';
 import { DoubleDouble } from '../../linalg/doubleDouble.ts';
 import { norm } from '../linearization/matrices.ts';
 import { plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
@@ -75,24 +76,22 @@ function doubling(A: DoubleDouble, G: DoubleDouble, H: DoubleDouble, gamma: numb
   const W = inverse && shifted.transpose().plus(H.times(inverse).times(G));
   const inverseW = W?.solve(I);
   if (!inverse || !inverseW) return null;
-  let Ak = I.plus(inverseW.transpose(), 2 * gamma);
+  const Ak = I.plus(inverseW.transpose(), 2 * gamma);
   const zero = new DoubleDouble(n, n);
-  let Gk = zero.plus(inverse.times(G).times(inverseW), 2 * gamma).symmetric();
-  let Hk = zero.plus(inverseW.times(H).times(inverse), 2 * gamma).symmetric();
-  for (let steps = 1; steps <= MOST_DOUBLINGS; steps++) {
-    const next = I.plus(Gk.times(Hk));
-    const [WA, WG] = [next.solve(Ak), next.solve(Gk)];
-    if (!WA || !WG) return null;
-    const change = Ak.transpose().times(Hk).times(WA).symmetric();
-    Gk = Gk.plus(Ak.times(WG).times(Ak.transpose())).symmetric();
-    Hk = Hk.plus(change);
-    Ak = Ak.times(WA);
-    if (!Number.isFinite(Hk.norm()) || !Number.isFinite(Gk.norm())) return null;
-    // A_k tends to zero with the closed loop; before, an unstable mode that the cost hardly sees has yet to show.
-    if (change.norm() <= CONVERGED * Hk.norm() && Ak.norm() < SETTLED) return { X: Hk, steps };
-  }
-  return null;
+  const Gk = zero.plus(inverse.times(G).times(inverseW), 2 * gamma).symmetric();
+  const Hk = zero.plus(inverseW.times(H).times(inverse), 2 * gamma).symmetric();
+  return doubled(IN_TWICE, n, { Ak, Gk, Hk }, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED, settled: SETTLED });
 }
+
+const IN_TWICE: Algebra<DoubleDouble> = {
+  identity: (n) => DoubleDouble.identity(n),
+  times: (a, b) => a.times(b),
+  plus: (a, b) => a.plus(b),
+  transposed: (a) => a.transpose(),
+  symmetric: (a) => a.symmetric(),
+  solve: (W, B) => W.solve(B),
+  norm: (a) => a.norm(),
+};
 
 /** |A^T X + X A - w^T w + Q| as a share of its terms. */
 function residualOf(A: DoubleDouble, w: DoubleDouble, Q: DoubleDouble, X: DoubleDouble): number {

@@ -1,5 +1,12 @@
 import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
-import { ControlError, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
+import { doubled } from './doubling.ts';
+import {
+  ControlError,
+  inDoubles as plainDoubles,
+  norm,
+  solveLinear,
+  symmetricPart,
+} from '../linearization/matrices.ts';
 import { complexText, ON_AXIS, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 import { solveCareTwice } from './careTwice.ts';
 import { axisSubspace } from '../linearization/axisSubspace.ts';
@@ -141,21 +148,8 @@ function remainder(AtX: Matrix, w: Matrix, Q: Matrix): Matrix {
 function doubling(A: Matrix, G: Matrix, H: Matrix): { Y: Matrix; steps: number } | null {
   const first = bestCayley(A, G, H);
   if (!first) return null;
-  let { Ak, Gk, Hk } = first;
-  const I = Matrix.eye(A.rows);
-  for (let steps = 1; steps <= MOST_DOUBLINGS; steps++) {
-    const W = Matrix.add(I, Gk.mmul(Hk));
-    const WA = solveLinear(W, Ak);
-    const WG = solveLinear(W, Gk);
-    if (!WA || !WG) return null;
-    const change = symmetricPart(Ak.transpose().mmul(Hk).mmul(WA));
-    Gk = symmetricPart(Matrix.add(Gk, Ak.mmul(WG).mmul(Ak.transpose())));
-    Hk = Matrix.add(Hk, change);
-    Ak = Ak.mmul(WA);
-    if (!Number.isFinite(norm(Hk)) || !Number.isFinite(norm(Gk))) return null;
-    if (norm(change) <= CONVERGED * norm(Hk)) return { Y: Hk, steps };
-  }
-  return null;
+  const found = doubled(plainDoubles, A.rows, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
+  return found && { Y: found.X, steps: found.steps };
 }
 
 /** Shares tried for gamma: of |A|, and of the rate that G and H make by themselves, which a plant of integrators has alone. */

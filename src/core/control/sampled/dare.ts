@@ -1,5 +1,6 @@
 import { Matrix } from 'ml-matrix';
-import { ControlError, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
+import { doubled } from '../design/doubling.ts';
+import { ControlError, inDoubles, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
 import { complexText, modulus, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 
 /**
@@ -39,7 +40,8 @@ export function solveDare(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, N = new Ma
   // A cost that does not see an unstable mode: the least solution, which doubling finds, leaves it; a small cost on all does not.
   for (const share of [0, 1e-14, 1e-11]) {
     const all = Matrix.eye(n).mul(share * (norm(state) || 1));
-    const found = doubling(plain, symmetricPart(B.mmul(force)), Matrix.add(state, all));
+    const first = { Ak: plain, Gk: symmetricPart(B.mmul(force)), Hk: Matrix.add(state, all) };
+    const found = doubled(inDoubles, n, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
     if (!found) continue;
     const solution = judged(A, B, Q, R, N, found.X);
     if (solution) return { ...solution, doublings: found.steps };
@@ -48,23 +50,6 @@ export function solveDare(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, N = new Ma
   throw new ControlError(
     `the sampled Riccati equation has no stabilizing solution that can be computed (largest open-loop eigenvalue ${complexText(worst)}); a shorter sample time or other inputs may have one`,
   );
-}
-
-function doubling(A: Matrix, G: Matrix, H: Matrix): { X: Matrix; steps: number } | null {
-  const I = Matrix.eye(A.rows);
-  let [Ak, Gk, Hk] = [A, G, H];
-  for (let steps = 1; steps <= MOST_DOUBLINGS; steps++) {
-    const W = Matrix.add(I, Gk.mmul(Hk));
-    const [WA, WG] = [solveLinear(W, Ak), solveLinear(W, Gk)];
-    if (!WA || !WG) return null;
-    const change = symmetricPart(Ak.transpose().mmul(Hk).mmul(WA));
-    Gk = symmetricPart(Matrix.add(Gk, Ak.mmul(WG).mmul(Ak.transpose())));
-    Hk = Matrix.add(Hk, change);
-    Ak = Ak.mmul(WA);
-    if (!Number.isFinite(norm(Hk)) || !Number.isFinite(norm(Gk))) return null;
-    if (norm(change) <= CONVERGED * norm(Hk)) return { X: Hk, steps };
-  }
-  return null;
 }
 
 /** The solution's gain and residual, if it stabilizes. */

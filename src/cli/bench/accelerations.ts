@@ -1,4 +1,6 @@
-import type { ConstrainedSystem } from '../../core/mechanics/constrainedSystem.ts';
+import { deriveSystem, readSystem } from '../../core/description/index.ts';
+import text from '../../core/description/templates/ripstik.ts';
+import { ConstrainedSystem } from '../../core/mechanics/constrainedSystem.ts';
 import { formulations } from '../../core/mechanics/formulations/formulations.ts';
 import { createFormulation } from '../../core/mechanics/formulations/registry.ts';
 import { Checksum, measureTogether, type MeasureOptions, type Times, type Work } from './measure.ts';
@@ -14,6 +16,8 @@ export interface AccelerationReport {
   acceleration: Times;
   /** The same the general way: evaluate, factor and solve the multipliers' equations. Older measurements have no other. */
   general?: Times;
+  /** That of the same board typed as a description (docs/own-systems.md), derived here. */
+  typed?: Times;
   /** y' = f(t, y) of each formulation: that, and what the formulation adds. */
   formulations: Record<string, Times>;
   /** Parts of `general`, µs. They are timed apart, so that they add up only roughly. */
@@ -44,16 +48,18 @@ export function accelerations(options: MeasureOptions): AccelerationReport {
   const { checksum, disagreement } = compare(dynamics, states);
   const work: Record<string, Work> = {
     acceleration: constrainedAcceleration(dynamics, states),
+    typed: constrainedAcceleration(typedBoard(dynamics), states),
     ...partsOf(dynamicsOf(scenario, 'general'), states),
     ...formulationsOf(dynamics, states),
   };
   const times = measureTogether(work, options);
-  const { acceleration, general, mechanics, constraints, evaluated, factored } = times;
+  const { acceleration, general, typed, mechanics, constraints, evaluated, factored } = times;
   return {
     states: STATES,
     seed: SEED,
     acceleration: acceleration!,
     general: general!,
+    typed: typed!,
     formulations: Object.fromEntries(formulations.map(({ id }) => [id, times[id]!])),
     parts: {
       mechanics: mechanics!.median,
@@ -64,6 +70,11 @@ export function accelerations(options: MeasureOptions): AccelerationReport {
     checksum,
     disagreement,
   };
+}
+
+function typedBoard({ parameters }: ConstrainedSystem): ConstrainedSystem {
+  const { model, view } = readSystem(text);
+  return new ConstrainedSystem(deriveSystem(model!, view!), parameters, 'rolling', [], null);
 }
 
 function partsOf(d: ConstrainedSystem, states: readonly State[]): Record<string, Work> {

@@ -63,19 +63,20 @@ export class Program {
     this.places = this.outputs.map((ids) => Int32Array.from(ids, at));
   }
 
-  /** A function that is interpreted: for a few calls, and where nothing may be compiled. */
+  /** A function that is interpreted: for a few calls, and where nothing may be compiled. It holds no graph. */
   interpreted(): Call {
     const { memory, tape, places } = this;
-    const count = this.inputs.length;
+    const starts: number[] = [];
+    let size = 0;
+    for (const ids of this.inputs) {
+      starts.push(size);
+      size += ids.length;
+    }
     return (...arrays) => {
-      let from = 0;
-      for (let k = 0; k < count; k++) {
-        memory.set(arrays[k]!, from);
-        from += this.inputs[k]!.length;
-      }
+      for (let k = 0; k < starts.length; k++) memory.set(arrays[k]!, starts[k]);
       interpret(tape, memory);
       for (let k = 0; k < places.length; k++) {
-        const [out, place] = [arrays[count + k]!, places[k]!];
+        const [out, place] = [arrays[starts.length + k]!, places[k]!];
         for (let i = 0; i < place.length; i++) out[i] = memory[place[i]!]!;
       }
     };

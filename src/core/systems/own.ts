@@ -5,16 +5,28 @@ import type { Model } from '../description/model.ts';
 import { descriptionIn, ownId } from '../scenario/own.ts';
 import { ScenarioError } from '../scenario/types.ts';
 
+/** Views of all systems by id, into which what is learned is put: the registry's. */
+type Views = Record<string, SystemView>;
+
 interface Own {
-  view: SystemView;
   model: Model;
+  view: SystemView;
   system?: Promise<System>;
 }
 
+/**
+ * Models at hand, the newest last: a person who types makes one with every key, and each holds its whole graph. An older one is
+ * read anew from the description in its view, which stays.
+ */
 const known = new Map<string, Own>();
+const MOST_KNOWN = 6;
 
-/** Views of all systems by id, into which what is learned is put: the registry's. */
-type Views = Record<string, SystemView>;
+function keep(id: string, own: Own): Own {
+  known.delete(id);
+  known.set(id, own);
+  for (const oldest of known.keys()) if (known.size > MOST_KNOWN) known.delete(oldest);
+  return own;
+}
 
 /**
  * Reads a description; afterwards its system is known by the id.
@@ -22,15 +34,25 @@ type Views = Record<string, SystemView>;
  */
 export async function learn(text: string, views: Views): Promise<SystemView> {
   const id = ownId(text);
-  const before = known.get(id);
-  if (before?.view.meta.description === text) return before.view;
+  const before = views[id];
+  if (before?.meta.description === text) return before;
+  if (before) throw new ScenarioError('system.description', 'another description has the same id; change a comment');
+  return (views[id] = keep(id, await readAnew(text)).view);
+}
+
+async function readAnew(text: string): Promise<Own> {
   const { readSystem } = await import('../description/index.ts');
   const { model, faults, view } = readSystem(text);
   if (!model || !view) throw new ScenarioError('system.description', faults[0]!.message);
-  if (before) throw new ScenarioError('system.description', 'another description has the same id; change a comment');
-  known.set(id, { view, model });
-  views[id] = view;
-  return view;
+  return { model, view };
+}
+
+/** What was learned under an id; undefined where nothing was. */
+function ownOf(id: string, views: Views): Promise<Own> | undefined {
+  const own = known.get(id);
+  if (own) return Promise.resolve(keep(id, own));
+  const text = views[id]?.meta.description;
+  return text === undefined ? undefined : readAnew(text).then((again) => keep(id, known.get(id) ?? again));
 }
 
 /** Reads the description that a raw scenario holds, if it holds one, so that the scenario can be checked. @throws ScenarioError */
@@ -40,15 +62,13 @@ export async function learnFrom(raw: unknown, views: Views): Promise<void> {
 }
 
 /** A system that has been learned, with its equations. @throws ScenarioError with the line of what makes it no system */
-export function loadOwn(id: string): Promise<System> | undefined {
-  const own = known.get(id);
-  if (!own) return undefined;
-  return (own.system ??= derived(own));
+export function loadOwn(id: string, views: Views): Promise<System> | undefined {
+  return ownOf(id, views)?.then((own) => (own.system ??= derived(own)));
 }
 
 /** How a learned system is drawn, for parameters by name; undefined where there is none of that id. */
-export async function drawOwn(id: string): Promise<((value: Value) => Sketch) | undefined> {
-  const own = known.get(id);
+export async function drawOwn(id: string, views: Views): Promise<((value: Value) => Sketch) | undefined> {
+  const own = await ownOf(id, views);
   if (!own) return undefined;
   const { sketchOf } = await import('../description/index.ts');
   return sketchOf(own.model);

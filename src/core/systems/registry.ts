@@ -98,7 +98,7 @@ const loaded = new Map<string, Promise<System>>();
  */
 export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  if (!folder) return loadOwn(id);
+  if (!folder) return loadOwn(id, systemViews);
   const { jacobians = true, tape = true } = parts;
   const key = `${id} ${jacobians} ${tape}`;
   const known = loaded.get(key);
@@ -141,7 +141,7 @@ export function loadTypeset(id: string): Promise<Typeset> | undefined {
 export async function loadDrawing(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Promise<Drawing> {
   const [{ drawingFrom }, drawn] = await Promise.all([
     import('../geometry/drawings.ts'),
-    folders.get(meta.id)?.drawing?.() ?? drawOwn(meta.id).then((draw) => draw && { draw }),
+    folders.get(meta.id)?.drawing?.() ?? drawOwn(meta.id, systemViews).then((draw) => draw && { draw }),
   ]);
   return drawingFrom(meta, drawn?.draw(valueOf(meta, parameters)));
 }

@@ -13,7 +13,7 @@ import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import type { Scenario } from '../../../src/core/scenario/types.ts';
 import '../../../src/core/simulation/everyMotion.ts';
 import { Simulation } from '../../../src/core/simulation/simulation.ts';
-import { cases, learnSystem, systemMetas } from '../../../src/core/systems/registry.ts';
+import { cases, learnSystem, loadSystem, systemMetas } from '../../../src/core/systems/registry.ts';
 
 const systemFrom = (text: string): System => {
   const { model, view, faults } = readSystem(text);
@@ -154,4 +154,16 @@ test('a wrong description in a scenario is told by its path, line and column', a
   );
   expect(() => checkScenario({ version: 1, system: { text: '' } }, systemMetas)).toThrow(/system\.text/);
   expect(() => checkScenario({ version: 1, system: 'own-1' }, systemMetas)).toThrow(/unknown/);
+});
+
+test('many descriptions one after another: the first still runs, read anew', async () => {
+  const text = (k: number): string => `coordinate x = ${k}\nkinetic 1/2 x'^2`;
+  const first = await learnSystem(text(0));
+  const system = await loadSystem(first.meta.id)!;
+  for (let k = 1; k < 20; k++) await learnSystem(text(k));
+  const again = await loadSystem(first.meta.id)!;
+  expect(again).not.toBe(system);
+  expect(again.meta.description).toBe(text(0));
+  expect(ends(again, { duration: 0.1, initial: { x_dot: 1 } })['x']).toBeCloseTo(0.1, 12);
+  expect(await loadSystem(first.meta.id)).toBe(again);
 });

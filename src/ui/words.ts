@@ -51,7 +51,7 @@ export const text = {
     qualities: [
       { id: 'auto', label: 'as this device can' },
       { id: 'low', label: 'plain' },
-      { id: 'high', label: 'rich' },
+      { id: 'high', label: 'detailed' },
     ],
     modeFacts: 'mode of the linearization',
   },
@@ -73,7 +73,7 @@ export const text = {
     workBalanceTitle:
       'Change of energy less the work that inputs, controllers and pushes put in: what dampers took, and what the method lost',
     residual: 'residual',
-    residualTitle: 'Largest constraint residual so far',
+    residualTitle: 'Largest constraint residual so far: by how much the constraints fail to hold',
     computing: (percent: number) => `computing ${percent} %`,
     ended: (reason: string) => `ended: ${reason}`,
     idle: 'not run yet',
@@ -83,9 +83,9 @@ export const text = {
     reasons: {
       end: 'complete',
       touchdown: 'touchdown',
-      'constraint-singular': 'constraints singular',
+      'constraint-singular': 'constraints became dependent',
       'step-too-small': 'step too small',
-      'non-finite': 'not finite',
+      'non-finite': 'values grew beyond all bounds',
       cancelled: 'cancelled',
       failed: 'failed',
       retuned: 'controller changed',

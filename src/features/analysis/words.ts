@@ -7,13 +7,13 @@ export const words = {
   title: 'Analysis',
   about: (title: string) =>
     `“${title}” as it stands in the panel, linearized about its operating point on the constraints. It follows every change.`,
-  lastGood: 'Below, dimmed, stands the last point that could be had.',
+  lastGood: 'Dimmed below: the last operating point that could be computed.',
   point: 'Operating point',
   rest: 'rest',
-  addState: 'Name another value',
+  addState: 'Set another value',
   choose: 'choose',
   pointNote:
-    'Empty values come from rest and the contact with the ground. The point must be a rest or a straight, steady motion.',
+    'What is not named is at rest, in contact with the ground. The operating point must be at rest or in straight, steady motion.',
   moves: 'Moves',
   nothingMoves: 'nothing: at rest',
   stands: 'Stands at',
@@ -37,13 +37,13 @@ export const words = {
   reached: (n: number, of: number, stages: string) =>
     `The inputs together reach ${n} of ${of} dimensions${stages && `, found in stages of ${stages}`}.`,
   margin: (kept: string, dropped: string) =>
-    `Margin of that decision: the weakest coupling that counted is ${kept}, the strongest that did not ${dropped} (relative).`,
+    `How clear that is: the weakest coupling counted is ${kept}, the strongest not counted ${dropped} (relative to the largest).`,
   dots: 'Each input by itself',
   reachedMark: 'reached',
   missedMark: 'not reached',
   partMark: (n: number, of: number) => `${n} of ${of} reached`,
   unreachable: 'No input reaches',
-  unseen: 'Reached, but without weight and neutral: left as they are',
+  unseen: 'Reached, but neutral and without weight: left as they are',
   weighted: 'has weight in Q, which no gain can serve',
   orders: 'Three orders of linearization',
   orderColumns: ['order', 'fastest growth', 'difference from (a)'],
@@ -94,7 +94,7 @@ export const words = {
   to: 'to',
   steps: 'values',
   compute: 'Compute',
-  mustRise: 'The range must rise.',
+  mustRise: 'The end must be larger than the start.',
   keepGain: 'Closed loop, with the gain of this operating point kept',
   computingShare: (percent: number) => `computing ${percent} %`,
   stale: 'The scenario has changed since this was computed.',
@@ -111,6 +111,7 @@ export const words = {
   oscillation: (frequency: string) => `oscillation, ${frequency} Hz`,
   stableAbove: 'nothing grows above',
   stableBelow: 'nothing grows below',
-  skipped: (n: number, value: string, reason: string) => `${n} values are left out, the first at ${value}: ${reason}`,
+  skipped: (n: number, value: string, reason: string) =>
+    `${n === 1 ? '1 value is' : `${n} values are`} left out, the first at ${value}: ${reason}`,
   locusCsv: 'Locus as CSV',
 } as const;

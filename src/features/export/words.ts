@@ -11,7 +11,7 @@ export const words = {
   background: 'Background',
   backgrounds: { theme: 'as on the page', transparent: 'transparent, shadow only' },
   labels: 'Metre labels on the grid',
-  fine: 'Draw at twice the size, then shrink: smoother edges',
+  fine: 'Smoother edges (drawn at twice the size)',
   view: 'View',
   views: {
     page: 'as on the page',
@@ -37,14 +37,14 @@ export const words = {
   perSecond: (n: number) => `${n} a second`,
   save: 'Save',
   cancel: 'Cancel',
-  hide: 'The page can be used meanwhile: closing this leaves it running.',
+  hide: 'You can close this and go on: the export keeps running.',
   atTime: (t: string) => `The scene at ${t} s.`,
   about: (size: string) => `About ${size}.`,
   videoFacts: (frames: string, seconds: string, size: string) =>
     `${frames} frames, ${seconds} s, at most about ${size}.`,
   codec: { avc: 'MP4, H.264', vp9: 'WebM, VP9', vp8: 'WebM, VP8', browser: 'this browser’s own recorder' },
   exact: (codec: string) => `${codec}; every frame at its exact time.`,
-  recorded: 'This browser has no video encoder for pages: it is recorded in true time, and frames may come late.',
+  recorded: 'This browser has no video encoder for pages: it is recorded as it plays, and frames may be late.',
   glbAbout:
     'Binary glTF 2.0 with one animation, for Blender, Windows 3D Viewer, three.js. Y is up, as glTF demands; one node a body.',
   glbFacts: (keys: string, bodies: number, seconds: string, size: string) =>

@@ -11,7 +11,8 @@ export const text = {
   track: 'tracked',
   section: (chapter: string) => `section ${chapter}`,
   /** Where the report is named first. */
-  report: 'The report: “A-1: Modelling and Control of a Ripstik”, final report of the course MTHE 493, 2017.',
+  report:
+    '“The report” is “A-1: Modelling and Control of a Ripstik”, a student project of 2017 (course MTHE 493) that this program began with.',
   sections: {
     board: 'The board',
     parts: 'Its parts',

@@ -187,6 +187,7 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
           {folded.value ? words.showAll(all.length) : words.showChosen}
         </button>
       )}
+      {comparison.outcomes.value.length === 0 && <p class="hint">{words.noCurves}</p>}
       <div class="methods-row">
         <label>
           {words.curve}{' '}
@@ -212,14 +213,16 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
           disabled={comparison.outcomes.value.length === 0}
         />
       </div>
-      <MethodChart
-        comparison={comparison}
-        column={column.value}
-        meta={meta}
-        onChart={(made) => {
-          chart.current = made;
-        }}
-      />
+      {comparison.outcomes.value.length > 0 && (
+        <MethodChart
+          comparison={comparison}
+          column={column.value}
+          meta={meta}
+          onChart={(made) => {
+            chart.current = made;
+          }}
+        />
+      )}
     </div>
   );
 }

@@ -2,17 +2,16 @@
 export const words = {
   title: 'Compare methods',
   about: (title: string) =>
-    `“${title}” as it stands in the panel, run with each chosen method in a worker of its own. Beside the four methods of the 2017 report stands what its Table 1 gives for the falling board: computing time for the time reached.`,
-  aboutSet: (label: string) =>
-    `${label}: the panel is left as it is, and each chosen method runs in a worker of its own.`,
+    `“${title}” as it stands in the panel, run with each chosen method, all at the same time. “Report” is Table 1 of the 2017 report this program began with: computing time for the time reached, for the falling board.`,
+  aboutSet: (label: string) => `${label}: the panel is left as it is, and the chosen methods run at the same time.`,
   columns: [
     'method',
-    'computing, s',
-    'energy drift',
+    'computing time, s',
+    'energy drift, relative',
     'residual',
     'steps (rejected)',
     'evaluations (Jacobians)',
-    'reached, s',
+    'reached t, s',
     'ended',
   ],
   agree: (compared: string) =>
@@ -22,17 +21,18 @@ export const words = {
   fade: (four: string, two: string, compared: string) =>
     `The methods agree to 4 digits until ${four}, to 2 until ${two}, and to 1 to the end, ${compared}.`,
   seconds: (t: number) => `${t} s`,
-  run: 'Run the chosen ones',
+  run: 'Run chosen methods',
   set: 'Compare',
   projection: 'project onto the constraints',
   curve: 'Curve',
+  noCurves: 'The curves of all methods stand here once they have run.',
   csv: 'Table as CSV',
   showAll: (n: number) => `Show all ${n} methods`,
   showChosen: 'Show the chosen ones only',
   report: (seconds: number, reached: number) => `report: ${seconds} s for ${reached} s`,
   states: { waiting: 'waiting', computing: 'computing' },
-  precision: 'precision for the time it took',
+  precision: 'accuracy against computing time',
   computing: 'computing time, s',
   drift: 'energy drift, relative',
-  plot: (column: string) => `${column}, one curve a method`,
+  plot: (column: string) => `${column}, one curve per method`,
 } as const;

@@ -52,7 +52,10 @@ test('caption, inset, legend and buttons keep apart at four sizes; a phone shows
   }
   for (const part of ['.caption-title', '.transport']) await expect(page.locator(part)).toBeInViewport({ ratio: 0.99 });
   expect((await page.locator('.stage').boundingBox())!.height).toBeGreaterThan(240);
-  await page.getByTestId('duration').scrollIntoViewIfNeeded();
+  await page
+    .locator('.start-row')
+    .first()
+    .evaluate((row) => row.scrollIntoView({ block: 'start' }));
   const fields = await page.locator('.sheet').evaluate((sheet) => {
     const view = sheet.querySelector('.scroll')!.getBoundingClientRect();
     return [...sheet.querySelectorAll('input, select')]

@@ -1,5 +1,6 @@
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
+import type { TurnMap } from '../../core/control/path/turnMap.ts';
 import type { Responses } from '../../core/control/responses.ts';
 import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { RegulatorEffect } from '../../core/control/design/effect.ts';
@@ -53,6 +54,11 @@ export class ControlClient {
       drop(end);
       return result;
     });
+  }
+
+  /** Steady turns over radius and speed. As `computer`. */
+  turns(file: ScenarioFile, asker: string): Promise<Answer<TurnMap> | null> {
+    return this.ask(file, asker, (scenario) => this.worker.call('control.turns', scenario).result);
   }
 
   /** Loop gain at an input and a step's answer in a state. As `computer`. */

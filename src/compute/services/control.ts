@@ -48,6 +48,10 @@ export const calls: Handlers<ControlCalls> = {
     ]);
     return responsesOf(request, system);
   },
+  async 'control.turns'(scenario) {
+    const [{ turnMap }, system] = await Promise.all([import('../../core/control/path/turnMap.ts'), systemOf(scenario)]);
+    return turnMap(scenario, system);
+  },
   async 'control.locus'({ scenario, request }, { emit }) {
     const [{ scenarioLocus }, system] = await Promise.all([
       import('../../core/control/locus/scenarioLocus.ts'),

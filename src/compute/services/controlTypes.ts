@@ -2,6 +2,7 @@ import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
 import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import type { Responses, ResponsesRequest } from '../../core/control/responses.ts';
+import type { TurnMap } from '../../core/control/path/turnMap.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -15,6 +16,8 @@ export interface ControlCalls {
   'control.effect': Call<Scenario, RegulatorEffect>;
   /** Loop gain at an input and a step's answer; null where the regulator leaves every mode as it is. */
   'control.responses': Call<ResponsesRequest, Responses | null>;
+  /** Steady turns over radius and speed. */
+  'control.turns': Call<Scenario, TurnMap>;
   /** Eigenvalues along a range; tells its share (0 to 1). It does not look at its mailbox: end its worker to cancel it. */
   'control.locus': Call<{ scenario: Scenario; request: LocusRequest }, ScenarioLocus, number>;
 }

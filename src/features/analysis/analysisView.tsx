@@ -1,5 +1,6 @@
 /** Linearization and control of the scenario in the panel, computed again whenever what it depends on changes. */
 import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
@@ -20,6 +21,7 @@ const ASKER = 'analysis';
 
 /** Loaded and computed when its section is opened. */
 const ResponsesBody = later(async () => (await import('./responsesSection.tsx')).ResponsesBody);
+const TurnsBody = later(async () => (await import('./turnsSection.tsx')).TurnsBody);
 
 export interface AnalysisProps {
   save: SaveText;
@@ -57,24 +59,28 @@ export function AnalysisView({ save }: AnalysisProps) {
           </>
         )}
       </div>
-      <ResponsesSection names={names} />
+      <OpenedSection title={words.responses} testId="responses-section">
+        <ResponsesBody names={names} />
+      </OpenedSection>
+      {(system.meta.forward ?? system.meta.speed) && (
+        <OpenedSection title={words.turns} testId="turns-section">
+          <TurnsBody />
+        </OpenedSection>
+      )}
       <LocusSection names={names} system={system} save={save} />
     </div>
   );
 }
 
-function ResponsesSection({ names }: { names: ReturnType<typeof statesOf> }) {
+/** A section whose inside is made when it is opened. */
+function OpenedSection({ title, testId, children }: { title: string; testId: string; children: ComponentChildren }) {
   const open = useSignal(false);
   return (
-    <details
-      class="section"
-      data-testid="responses-section"
-      onToggle={(event) => (open.value = event.currentTarget.open)}
-    >
+    <details class="section" data-testid={testId} onToggle={(event) => (open.value = event.currentTarget.open)}>
       <summary>
-        <h3>{words.responses}</h3>
+        <h3>{title}</h3>
       </summary>
-      <div class="section-body">{open.value && <ResponsesBody names={names} />}</div>
+      <div class="section-body">{open.value && children}</div>
     </details>
   );
 }

@@ -6,6 +6,7 @@ import { compareOrders } from '../../../../src/core/control/linearization/linear
 import { eigenvalues } from '../../../../src/core/control/linearization/spectrum.ts';
 import { steadyMotionAt, type SteadyMotion } from '../../../../src/core/control/linearization/steadyMotion.ts';
 import { pathCurve, type PathPlace } from '../../../../src/core/control/path/pathCurve.ts';
+import { turnMap } from '../../../../src/core/control/path/turnMap.ts';
 import { steadyTurn } from '../../../../src/core/control/path/steadyTurn.ts';
 import { ConstrainedSystem } from '../../../../src/core/mechanics/constrainedSystem.ts';
 import { inputsOf } from '../../../../src/core/model/inputs.ts';
@@ -156,6 +157,16 @@ test('eliminating and linearizing commute under control forces too, as long as t
   const { difference, frozenDifference } = compareOrders(motion, inputs);
   expect(difference).toBeLessThan(1e-8);
   expect(frozenDifference).toBeGreaterThan(1);
+});
+
+test('the map of turns: the wide ones are going straight, and what is no turn is left out', () => {
+  const control = { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } };
+  const scenario = scenarioOf({ version: 1, system: 'ripstik', control });
+  const { growth, effort } = turnMap(scenario, system, () => {}, [1, 100], [1]);
+  expect(growth[0]![1]).toBeCloseTo(9.372, 2);
+  expect(effort[0]![0]).toBeGreaterThan(10 * effort[0]![1]!);
+  const dragged = scenarioOf({ version: 1, system: 'ripstik', parameters: { wheelDrag: 0.5 } });
+  expect(turnMap(dragged, system, () => {}, [1], [1]).growth).toEqual([[null]]);
 });
 
 describe('a board that follows', () => {

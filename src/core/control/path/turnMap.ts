@@ -1,0 +1,59 @@
+import type { Scenario } from '../../scenario/types.ts';
+import type { System } from '../../model/system.ts';
+import { inputsOf } from '../../model/inputs.ts';
+import { plantOf } from '../design/scenarioControl.ts';
+import { ControlError } from '../linearization/matrices.ts';
+import { plainEigenvalues } from '../linearization/spectrum.ts';
+import { steadyTurn } from './steadyTurn.ts';
+import { StartError } from '../../mechanics/consistentStart.ts';
+
+/** Steady turns over radius and speed. */
+export interface TurnMap {
+  /** m, ascending. */
+  radii: readonly number[];
+  /** m/s, ascending. */
+  speeds: readonly number[];
+  /** By speed, then by radius: the growth rate of the fastest mode, the inputs held at u0 (1/s); null where there is no turn. */
+  growth: (number | null)[][];
+  /** Likewise: the largest of the inputs u0 that hold it. */
+  effort: (number | null)[][];
+}
+
+export const TURN_RADII = [0.5, 0.7, 1, 1.5, 2, 3, 5, 10] as const;
+export const TURN_SPEEDS = [0.5, 0.75, 1, 1.5, 2, 3, 4] as const;
+
+/** Turns to the left; those to the right are their mirror images. @param tell share done */
+export function turnMap(
+  scenario: Scenario,
+  system: System,
+  tell: (share: number) => void = () => {},
+  radii: readonly number[] = TURN_RADII,
+  speeds: readonly number[] = TURN_SPEEDS,
+): TurnMap {
+  const { meta } = system;
+  const plant = plantOf(scenario, system);
+  const { control } = scenario;
+  const names = control?.type === 'lqr' ? control.inputs : meta.inputs.map((i) => i.name);
+  const inputs = inputsOf(meta).filter((input) => names.includes(input.name));
+  const along = (meta.forward ?? meta.speed)?.along[0] ?? '';
+  const growth: TurnMap['growth'] = [];
+  const effort: TurnMap['effort'] = [];
+  speeds.forEach((speed, row) => {
+    const [rates, inputSizes]: [(number | null)[], (number | null)[]] = [[], []];
+    for (const radius of radii) {
+      try {
+        const { linearization, u0 } = steadyTurn(plant, { [along]: speed }, 1 / radius, inputs);
+        rates.push(Math.max(...plainEigenvalues(linearization.tangentA).map(([re]) => re)));
+        inputSizes.push(Math.max(0, ...u0.map(Math.abs)));
+      } catch (error) {
+        if (!(error instanceof ControlError || error instanceof StartError)) throw error;
+        rates.push(null);
+        inputSizes.push(null);
+      }
+    }
+    growth.push(rates);
+    effort.push(inputSizes);
+    tell((row + 1) / speeds.length);
+  });
+  return { radii, speeds, growth, effort };
+}

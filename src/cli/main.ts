@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { isMainThread } from 'node:worker_threads';
 import { StartError } from '../core/mechanics/consistentStart.ts';
 import { cases, learnSystemIn, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
@@ -13,7 +13,9 @@ import { point } from './point.ts';
 import { read, type ReadOptions } from './read.ts';
 import { simulate } from './simulate.ts';
 import { test } from './test.ts';
-import { UsageError, pathOf } from './usage.ts';
+import { sweep } from './sweep.ts';
+import { workOnSweep } from './sweepWorker.ts';
+import { UsageError, readText } from './usage.ts';
 
 const USAGE = `Usage:
   npm run --silent ripstik -- simulate SCENARIO.json --out RUN.csv   run a scenario (without --out: CSV on standard output)
@@ -28,6 +30,8 @@ const USAGE = `Usage:
   npm run --silent ripstik -- gait SYSTEM [--speed 1] [--search]     the amplitude with which feet that pump hold a speed, or the cheapest
        [--frequency HZ] [--phase DEG] [--bias DEG] [--twist DEG]     gait that does, what a metre costs, and its scenario, as JSON
        [--harmonics 2,3] [--parameters wheelDrag=0.5,…]
+  npm run --silent ripstik -- sweep STUDY.json --out RESULTS.parquet many runs, one row each, on every core; .csv writes text
+       [--shard I/N] [--resume] [--workers N]                        a part of the runs; going on after an interruption
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
@@ -37,14 +41,7 @@ async function readScenario(
   name: string | undefined,
 ): Promise<{ scenario: Scenario; written: unknown; system: System }> {
   if (!name) throw new UsageError('which scenario? Name a JSON file');
-  let text: string;
-  try {
-    text = readFileSync(name === '-' ? 0 : pathOf(name), 'utf8');
-  } catch (error) {
-    throw new UsageError(
-      `${name} can't be read: ${(error as NodeJS.ErrnoException).code === 'ENOENT' ? 'there is no such file' : (error as Error).message}`,
-    );
-  }
+  const text = readText(name);
   await learnSystemIn(text);
   const scenario = parseScenario(text, metas);
   return { scenario, written: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };
@@ -110,6 +107,14 @@ async function main(args: readonly string[]): Promise<number> {
       : null;
   const pumping = command === 'gait' ? gaitOptions(rest) : null;
   const reading = command === 'read' ? readOptions(rest) : {};
+  const sweeping =
+    command === 'sweep'
+      ? {
+          shard: takeOption(rest, '--shard'),
+          workers: takeOption(rest, '--workers'),
+          resume: takeFlag(rest, '--resume'),
+        }
+      : null;
   const unknown = rest.find((a) => a.startsWith('--')) ?? rest[1];
   if (verify && command !== 'simulate') throw new UsageError('--verify is for simulate');
   if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
@@ -141,6 +146,8 @@ async function main(args: readonly string[]): Promise<number> {
       print(gaitReport(system, pumping!));
       return 0;
     }
+    case 'sweep':
+      return sweep(rest[0], { out, ...sweeping! });
     case 'cases':
       listCases(rest[0]);
       return 0;
@@ -154,7 +161,7 @@ async function main(args: readonly string[]): Promise<number> {
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(
-        `no command "${command}"; there are simulate, point, linearize, test, read, gait, cases and bench`,
+        `no command "${command}"; there are simulate, point, linearize, test, read, gait, sweep, cases and bench`,
       );
   }
 }
@@ -172,8 +179,10 @@ async function run(): Promise<number> {
   }
 }
 
-process.stdout.on('error', (error) => {
-  process.stderr.write(`ripstik: ${cannotWrite('standard output', error).message}\n`);
-  process.exit(2);
-});
-process.exitCode = await run();
+if (isMainThread) {
+  process.stdout.on('error', (error) => {
+    process.stderr.write(`ripstik: ${cannotWrite('standard output', error).message}\n`);
+    process.exit(2);
+  });
+  process.exitCode = await run();
+} else await workOnSweep();

@@ -15,7 +15,7 @@ import { UsageError, pathOf } from './usage.ts';
 /** Where a run's table goes. Every failure to write is one line. */
 export interface Output {
   /** @throws UsageError */
-  write(text: string): void;
+  write(content: string | Uint8Array): void;
   /** All is written: it takes the place of what stood there. @throws UsageError */
   finish(): void;
   /** What stood there stays. */
@@ -63,8 +63,8 @@ export function openOutput(out: string | undefined, scenario: string): Output {
 function direct(file: number, name: string): Output {
   const pause = new Int32Array(new SharedArrayBuffer(4));
   return {
-    write(text) {
-      const bytes = Buffer.from(text);
+    write(content) {
+      const bytes = typeof content === 'string' ? Buffer.from(content) : content;
       for (let at = 0; at < bytes.length;) {
         try {
           at += writeSync(file, bytes, at);

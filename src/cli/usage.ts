@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { isAbsolute, resolve } from 'node:path';
 
 /** A call that can't be carried out, said in one line. */
@@ -6,4 +7,14 @@ export class UsageError extends Error {}
 /** Paths mean what they mean where the person typed them, not in the package's own folder. */
 export function pathOf(name: string): string {
   return isAbsolute(name) ? name : resolve(process.env['INIT_CWD'] ?? process.cwd(), name);
+}
+
+/** What stands in a file. @param name as typed, `-` for standard input @throws UsageError */
+export function readText(name: string): string {
+  try {
+    return readFileSync(name === '-' ? 0 : pathOf(name), 'utf8');
+  } catch (error) {
+    const { code, message } = error as NodeJS.ErrnoException;
+    throw new UsageError(`${name} can't be read: ${code === 'ENOENT' ? 'there is no such file' : message}`);
+  }
 }

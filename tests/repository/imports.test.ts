@@ -36,6 +36,7 @@ const CORE: Table = {
   motion: ['linalg', 'model', 'cases', 'simulation'],
   gait: ['model', 'scenario', 'simulation', 'motion'],
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
+  sweep: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
 };
 /** Packages that one folder alone imports. */

@@ -7,7 +7,7 @@ import { systemMetas } from '../../core/systems/registry.ts';
 import type { Answer } from '../../compute/client/answer.ts';
 import type { Pool } from '../../compute/client/pool.ts';
 import type { SweepClient } from '../../compute/client/sweepClient.ts';
-import type { Measured } from '../../compute/services/sweepTypes.ts';
+import type { Reduced } from '../../core/sweep/reduceRun.ts';
 import { readonly } from '../state/signals.ts';
 
 /** What is run and what is measured of it. */
@@ -108,7 +108,7 @@ export class Sweep {
     this.finish('cancelled');
   }
 
-  private record({ measures }: SweepPlan, job: number, answer: Answer<Measured>): void {
+  private record({ measures }: SweepPlan, job: number, answer: Answer<Reduced>): void {
     this.done++;
     this.results[job] = answer.ok
       ? { values: answer.value.values, reason: answer.value.end.reason, message: answer.value.end.message }

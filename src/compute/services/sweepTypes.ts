@@ -1,24 +1,16 @@
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { Written } from '../../core/scenario/own.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import type { RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
+import type { Reduced } from '../../core/sweep/reduceRun.ts';
 import type { Call } from '../remote/protocol.ts';
 
 export interface SweepCalls {
   /** One run reduced to its measures; tells its share (0 to 1). The scenario is checked in the worker. */
-  'sweep.measure': Call<MeasureRequest, Measured, number>;
+  'sweep.measure': Call<MeasureRequest, Reduced, number>;
 }
 
 export interface MeasureRequest {
   /** As it is written: an own system by its description. */
   file: Written<ScenarioFile>;
   measures: readonly SweepMeasure[];
-}
-
-export interface Measured {
-  /** One number a measure, NaN where the run has none. */
-  values: number[];
-  end: RunEnd;
-  counts: RunCounts;
-  seconds: number;
 }

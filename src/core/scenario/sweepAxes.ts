@@ -52,13 +52,21 @@ export function spaced(from: number, to: number, count: number, scale: 'linear' 
 
 /** The scenario with this value of the axis. */
 export function withAxisValue(file: ScenarioFile, { path }: SweepAxis, { value, method }: SweepValue): ScenarioFile {
-  if (method) return { ...file, method };
-  return path.split('+').reduce((next, part) => withNumber(next, part.split('.'), value), file);
+  return method ? { ...file, method } : withValue(file, path, value);
 }
 
-function withNumber<T extends object>(node: T, [key, ...rest]: readonly string[], value: number): T {
+/**
+ * The scenario with another value at a place.
+ *
+ * @param path `initial.alpha`; several joined by `+` take the same value
+ */
+export function withValue<T extends object>(file: T, path: string, value: number | string): T {
+  return path.split('+').reduce((next, part) => withLeaf(next, part.split('.'), value), file);
+}
+
+function withLeaf<T extends object>(node: T, [key, ...rest]: readonly string[], value: number | string): T {
   const inner = (node as Record<string, unknown>)[key!];
-  return { ...node, [key!]: rest.length === 0 ? value : withNumber((inner ?? {}) as object, rest, value) };
+  return { ...node, [key!]: rest.length === 0 ? value : withLeaf((inner ?? {}) as object, rest, value) };
 }
 
 /** Everything in a scenario that a sweep may vary and that a run depends on, in the panel's order. */

@@ -2,7 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { placesOf, runsOf, scenarioAt, Sweep, type SweepPlan } from '../../../src/app/runs/sweep.ts';
 import { Pool } from '../../../src/compute/client/pool.ts';
 import { SweepClient } from '../../../src/compute/client/sweepClient.ts';
-import type { Measured, SweepCalls } from '../../../src/compute/services/sweepTypes.ts';
+import type { SweepCalls } from '../../../src/compute/services/sweepTypes.ts';
+import type { Reduced } from '../../../src/core/sweep/reduceRun.ts';
 import type { Handlers } from '../../../src/compute/remote/serve.ts';
 import { NearWorker, turn } from '../../compute/nearWorker.ts';
 
@@ -12,7 +13,7 @@ class Answering {
   readonly near: NearWorker;
   asked: Parameters<Handlers<SweepCalls>['sweep.measure']>[0] | null = null;
   share: (share: number) => void = () => {};
-  private resolve: (measured: Measured) => void = () => {};
+  private resolve: (measured: Reduced) => void = () => {};
   private reject: (error: Error) => void = () => {};
 
   constructor() {
@@ -53,6 +54,7 @@ class Answering {
         residual: 0,
       },
       seconds: 0,
+      engine: 'typescript',
     });
   }
 }

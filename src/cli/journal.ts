@@ -1,0 +1,90 @@
+import { closeSync, existsSync, ftruncateSync, openSync, readFileSync, rmSync, writeSync } from 'node:fs';
+import type { StudyRow } from '../core/sweep/runOne.ts';
+import { cannotWrite } from './output.ts';
+import type { TableFacts } from './studyTable.ts';
+import { UsageError } from './usage.ts';
+
+/**
+ * The rows of a sweep that is not finished, one JSON text a line, beside the file that they will be: a sweep that is
+ * killed goes on where it was. A line that was cut off is not counted.
+ */
+export class Journal {
+  readonly rows = new Map<number, StudyRow>();
+  private readonly path: string;
+  private readonly name: string;
+  private readonly file: number;
+  private at: number;
+
+  /**
+   * @param out of the finished table
+   * @param resume go on with what is there
+   * @throws UsageError where there is another study's, or one is there and `resume` was not asked for
+   */
+  constructor(out: string, name: string, facts: TableFacts, resume: boolean) {
+    this.path = `${out}.unfinished`;
+    this.name = `${name}.unfinished`;
+    const first = JSON.stringify(facts);
+    const there = existsSync(this.path);
+    if (there && !resume)
+      throw new UsageError(`${this.name} holds a sweep that was interrupted: --resume goes on with it, or delete it`);
+    try {
+      this.file = openSync(this.path, there ? 'r+' : 'wx');
+    } catch (error) {
+      throw cannotWrite(this.name, error);
+    }
+    const text = there ? readFileSync(this.path, 'utf8') : '';
+    const whole = text.slice(0, text.lastIndexOf('\n') + 1);
+    const [header, ...lines] = whole.split('\n').slice(0, -1);
+    if (header !== undefined && header !== first)
+      throw new UsageError(`${this.name} is of another study or shard: name another --out, or delete it`);
+    for (const line of lines) {
+      const row = parsed(line);
+      this.rows.set(row.index, row);
+    }
+    ftruncateSync(this.file, Buffer.byteLength(whole));
+    this.at = Buffer.byteLength(whole);
+    if (header === undefined) this.append(first);
+  }
+
+  add(row: StudyRow): void {
+    this.append(lineOf(row));
+    this.rows.set(row.index, row);
+  }
+
+  close(): void {
+    closeSync(this.file);
+  }
+
+  /** The table is written. */
+  remove(): void {
+    this.close();
+    rmSync(this.path, { force: true });
+  }
+
+  private append(line: string): void {
+    const bytes = Buffer.from(`${line}\n`);
+    try {
+      for (let done = 0; done < bytes.length;)
+        done += writeSync(this.file, bytes, done, bytes.length - done, this.at + done);
+    } catch (error) {
+      throw cannotWrite(this.name, error);
+    }
+    this.at += bytes.length;
+  }
+}
+
+/** Minus zero and NaN have no JSON text of their own. */
+const numbers = (values: readonly (number | string)[]): string =>
+  `[${values.map((v) => (Object.is(v, -0) ? '-0' : JSON.stringify(v))).join(',')}]`;
+
+function lineOf({ index, values, measures, reason, time, engine, message }: StudyRow): string {
+  const texts = [reason, engine, message].map((text) => JSON.stringify(text)).join(',');
+  return `[${index},${numbers(values)},${numbers(measures)},${numbers([time])},${texts}]`;
+}
+
+type Line = [number, (number | string)[], (number | null)[], [number | null], string, string, string];
+
+function parsed(line: string): StudyRow {
+  const [index, values, measures, [time], reason, engine, message] = JSON.parse(line) as Line;
+  return { index, values, measures: measures.map((m) => m ?? NaN), time: time ?? NaN, reason, engine, message };
+}

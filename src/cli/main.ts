@@ -34,14 +34,17 @@ const USAGE = `Usage:
        [--shard I/N] [--resume] [--workers N]                        a part of the runs; going on after an interruption
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
-SCENARIO.json may be - for standard input. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
+SCENARIO.json may be - for standard input, or a description NAME.system.txt. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
 /** A scenario, its JSON as it was written, and its system. */
 async function readScenario(
   name: string | undefined,
 ): Promise<{ scenario: Scenario; written: unknown; system: System }> {
   if (!name) throw new UsageError('which scenario? Name a JSON file');
-  const text = readText(name);
+  let text = readText(name);
+  // A description by itself: everything at its default.
+  if (/\.system\.txt$/i.test(name))
+    text = JSON.stringify({ version: 1, system: { description: text.replace(/^\ufeff/, '') } });
   await learnSystemIn(text);
   const scenario = parseScenario(text, metas);
   return { scenario, written: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };

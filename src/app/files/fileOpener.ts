@@ -5,7 +5,7 @@ import type { SystemMeta, SystemView } from '../../core/model/system.ts';
 import { dataView } from '../../core/motion/dataView.ts';
 import type { ImportChoices, Question } from '../../csv/plan.ts';
 import type { Kind } from '../../csv/units/units.ts';
-import { learnSystemIn, learnSystemOf, systemViews } from '../../core/systems/registry.ts';
+import { learnSystem, learnSystemIn, learnSystemOf, systemViews } from '../../core/systems/registry.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
@@ -125,17 +125,33 @@ export class FileOpener {
    */
   async openFile(name: string, file: Blob, choices?: ImportChoices): Promise<void> {
     try {
-      const isScenario = (await kindOf(name, file)) === 'scenario';
+      const kind = await kindOf(name, file);
+      const isScenario = kind === 'scenario' || kind === 'system';
       const most = isScenario ? LARGEST_SCENARIO : LARGEST_TABLE;
       if (file.size > most)
         throw new Error(
           `${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`,
         );
-      if (isScenario) await this.readScenario(name, await file.text());
+      if (kind === 'system') await this.readSystem(name, await file.text());
+      else if (isScenario) await this.readScenario(name, await file.text());
       else await this.readTable(name, file, choices);
     } catch (error) {
       this.fail(name, [messageOf(error)]);
     }
+  }
+
+  /** A description by itself: everything at its default. */
+  private async readSystem(name: string, text: string): Promise<void> {
+    const { meta } = await learnSystem(text.replace(/^\ufeff/, ''));
+    const scenario: ScenarioFile = { version: 1, system: meta.id };
+    this.context.messages.report(
+      'info',
+      `Opened ${name}`,
+      ['The system is in the panel and running.'],
+      undefined,
+      'opened',
+    );
+    this.context.openScenario(ownCase(meta.title, scenario), scenario);
   }
 
   private async readScenario(name: string, text: string): Promise<void> {

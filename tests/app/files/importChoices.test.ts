@@ -78,6 +78,7 @@ describe('what a file is', () => {
   test.each([
     ['caster.mat', 'newmtl hub\nKd 0.1 0.1 0.1\n', 'mesh'],
     ['caster.mdl', 'v 0 0 0\n', 'mesh'],
+    ['board.system.txt', 'coordinate x\n', 'system'],
     ['run.mat', 'MATLAB 5.0 MAT-file, Platform: GLNXA64', 'table'],
     ['run4.mat', [0, 0, 0, 0, 3, 0, 0, 0], 'table'],
     ['run73.mat', [0x4d, 0x41, 0x54, 0x4c, 0x41, 0x42, 0x20, 0x37], 'table'],

@@ -1,5 +1,6 @@
 // npm run edit-times: from a key in a field to the first frame of the run that follows, for every number of the board, and
 // for a parameter of each case; median and 95th percentile, ms. Printed, not asserted: they are those of this machine.
+// With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha
 /* global window, document, requestAnimationFrame, localStorage, KeyboardEvent -- functions given to the page run there */
 import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
@@ -75,7 +76,7 @@ const paths = (page) =>
     [...document.querySelectorAll('.experiment .box [data-path]')].map((input) => input.dataset.path),
   );
 
-main(async () => {
+main(async (wanted) => {
   await install();
   if (!built()) await build();
   const { chromium } = await import('@playwright/test');
@@ -90,7 +91,8 @@ main(async () => {
     console.log(`${'field of the ridden board'.padEnd(44)} median    p95, ms`);
     const board = await open(browser, address, 'ridden');
     const all = [];
-    for (const path of (await paths(board)).filter((one) => !/^(inputs|control\.reference)\./.test(one))) {
+    const fields = (await paths(board)).filter((one) => !/^(inputs|control\.reference)\./.test(one));
+    for (const path of fields.filter((one) => wanted.length === 0 || wanted.some((part) => one.includes(part)))) {
       const waits = await stepped(board, path);
       all.push(...(waits ?? []));
       print(path, waits);
@@ -98,6 +100,7 @@ main(async () => {
     print('all of them', all);
     const cases = await board.evaluate(() => window.ripstikApp.cases.map(({ id }) => id));
     await board.close();
+    if (wanted.length > 0) return 0;
     console.log(`\n${'first parameter of the case'.padEnd(44)} median    p95, ms`);
     for (const id of cases) {
       const page = await open(browser, address, id);

@@ -100,7 +100,7 @@ function systemId(c: Checker, file: ReadonlyMap<string, unknown>, systems: Metas
   const builtIn = Object.keys(systems).filter((id) => !isOwn(id));
   if (system === undefined)
     return c.add('system', `is missing; right would be ${builtIn.join(', ')}, or {"description": "…"}`);
-  if (typeof system === 'string') return systems[system] ? system : c.oneOf('system', system, builtIn);
+  if (typeof system === 'string') return Object.hasOwn(systems, system) ? system : c.oneOf('system', system, builtIn);
   if (typeof system !== 'object' || system === null || Array.isArray(system))
     return c.add('system', `must be one of ${builtIn.join(', ')}, or {"description": "…"}, not ${kindOf(system)}`);
   c.entries('system', system, ['description']);

@@ -38,7 +38,9 @@ async function buildStage() {
   console.log(output.trimEnd());
   // One stands for all: what docs/adding-a-feature.md promises of every folder under src/features.
   const removal = await run(process.execPath, [join(root, 'scripts/without-feature.mjs'), 'compare'], SHOW);
-  return { ok: code === 0 && removal.code === 0 };
+  const packed = await run(process.execPath, [join(root, 'scripts/package.mjs')], SHOW);
+  const tried = packed.code === 0 ? await run(process.execPath, [join(root, 'scripts/try-package.mjs')], SHOW) : packed;
+  return { ok: code === 0 && removal.code === 0 && tried.code === 0 };
 }
 
 async function browserStage(further) {

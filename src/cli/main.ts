@@ -36,6 +36,10 @@ const USAGE = `Usage:
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input, or a description NAME.system.txt. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
+/** The installed package has a command of its own. */
+const calledAs = (usage: string): string =>
+  process.argv[1]?.endsWith('.ts') ? usage : usage.replaceAll('npm run --silent ripstik --', 'npx ripstik-lab');
+
 /** A scenario, its JSON as it was written, and its system. */
 async function readScenario(
   name: string | undefined,
@@ -160,7 +164,7 @@ async function main(args: readonly string[]): Promise<number> {
       return 0;
     case undefined:
     case 'help':
-      process.stdout.write(`${USAGE}\n`);
+      process.stdout.write(`${calledAs(USAGE)}\n`);
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(

@@ -14,6 +14,7 @@ const PARTS: Table = {
   scene: ['core'],
   charts: ['core'],
   cli: ['core', 'csv'],
+  package: ['core'],
   app: ['core', 'csv', 'compute'],
   ui: ['core', 'app'],
   features: ['core', 'csv', 'charts', 'app', 'ui'],

@@ -43,4 +43,5 @@ async function serve([module, name, args]: readonly string[]): Promise<void> {
 }
 
 const entry = process.argv[1];
-if (entry !== undefined && import.meta.url === pathToFileURL(entry).href) void serve(process.argv.slice(2));
+// Bundled with the command line, it is no program of its own.
+if (entry?.endsWith('apart.ts') && import.meta.url === pathToFileURL(entry).href) void serve(process.argv.slice(2));

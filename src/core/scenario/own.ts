@@ -47,7 +47,7 @@ export function written<S extends { system: string; description?: string }>(
   scenario: S,
   systems: Readonly<Record<string, Pick<SystemMeta, 'description'>>>,
 ): Written<S> {
-  const text = systems[scenario.system]?.description;
+  const text = Object.hasOwn(systems, scenario.system) ? systems[scenario.system]!.description : undefined;
   if (text === undefined) return scenario;
   const { description: _, system: __, ...rest } = scenario;
   return { ...(rest as Omit<S, 'system' | 'description'>), system: { description: text } };

@@ -107,7 +107,7 @@ function systemId(c: Checker, file: ReadonlyMap<string, unknown>, systems: Metas
   const text = descriptionIn({ system });
   if (text === null) return c.add('system.description', 'must be the text of a description');
   const id = ownId(text);
-  return systems[id] ? id : c.add('system.description', 'has not been read');
+  return Object.hasOwn(systems, id) ? id : c.add('system.description', 'has not been read');
 }
 
 function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string, meta: SystemMeta): Scenario {

@@ -51,7 +51,7 @@ async function readAnew(text: string): Promise<Own> {
 function ownOf(id: string, views: Views): Promise<Own> | undefined {
   const own = known.get(id);
   if (own) return Promise.resolve(keep(id, own));
-  const text = views[id]?.meta.description;
+  const text = Object.hasOwn(views, id) ? views[id]!.meta.description : undefined;
   return text === undefined ? undefined : readAnew(text).then((again) => keep(id, known.get(id) ?? again));
 }
 

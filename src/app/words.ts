@@ -28,17 +28,17 @@ export const shareText = {
   openedFresh: 'The scenario is in the panel and running.',
   back: 'Back to your last work',
   altered:
-    'The link\u2019s check does not fit: it was changed by hand, or its case has changed since. Look at the dots in the panel.',
-  unknownTool: (id: string) => `It names a tool this page has not: \u201c${id}\u201d.`,
+    'It was changed by hand, or its case has changed since it was made. Dots in the panel mark what differs from the case.',
+  unknownTool: (id: string) => `It names a tool that this page does not have: \u201c${id}\u201d.`,
   bad: 'The link could not be opened',
-  badHint: 'The page is as it was.',
+  badHint: 'Nothing on the page has changed.',
 } as const;
 
 export const fileText = {
   loading: (name: string) => `loading ${name}`,
-  refused: 'The address names a file that is not opened',
+  refused: 'The file named in the address was not opened',
   sameOrigin: (what: string) => `\u201c${what}\u201d: only a path beside this page, such as data/ride.csv, is fetched`,
-  ending: (what: string) => `\u201c${what}\u201d: right would be a .csv, .txt or .json file`,
+  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt or .json file`,
   answered: (status: number) => `the server answered ${status}`,
   page: 'the server answered with a page, not a file',
   large: (mb: number) => `it is larger than the ${mb} MB this page reads`,
@@ -51,9 +51,9 @@ export const offlineText = {
   offline: 'offline',
   offlineTitle: 'No connection. The page goes on working with what is stored.',
   update: 'A new version is ready',
-  updateHint: 'It is taken at your next visit, or now:',
+  updateHint: 'It is used from your next visit on, or now:',
   updated: 'This page has a new version',
   updatedHint:
-    'It was taken in another tab. This tab goes on as it is; reload it to have the new one. What you edited is kept.',
+    'Another tab uses it already. This tab goes on with the old one until you reload it; what you edited is kept.',
   reload: 'Reload',
 } as const;

@@ -31,7 +31,7 @@ export const words = {
   pointHint: 'Point at an eigenvalue, or go through them with the arrow keys.',
   damping: 'damping',
   kinds: { grows: 'grows', decays: 'decays', neutral: 'neutral' },
-  within: (time: string) => `by e in ${time}`,
+  within: (time: string) => `by a factor e in ${time}`,
   modeColumns: ['eigenvalue, 1/s', 'frequency, Hz', 'damping ratio', 'time constant, s', '', 'what moves'],
   reach: 'What the inputs reach',
   reached: (n: number, of: number, stages: string) =>

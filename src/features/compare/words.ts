@@ -53,7 +53,7 @@ export const words = {
   sweep: {
     about: (title: string, cores: number) =>
       `“${title}” as it stands in the panel, run for every value on ${cores === 1 ? '1 core' : `${cores} cores`}.`,
-    invalid: 'The scenario in the panel has an error; correct it first.',
+    invalid: 'A field of the panel is wrong; correct it first.',
     axis: ['Vary', 'and'],
     none: 'nothing else',
     method: 'method and formulation',

@@ -1,9 +1,9 @@
 /** Words of the page's equations. */
 export const equations = {
   about: (title: string) =>
-    `${title}: the equations that the derivation prints, and what they are worth at the time on the stage. SI units and radians unless a unit is shown.`,
+    `${title}: the equations as derived, and their values at the time on the stage. SI units and radians unless a unit is shown.`,
   none: (title: string) => `There are no typeset equations of ${title}.`,
-  noMotion: 'Nothing runs yet: numbers appear with the first motion.',
+  noMotion: 'Nothing has run yet; numbers appear with the first run.',
   sections: {
     coordinates: 'Coordinates',
     bodies: 'Bodies and frames',
@@ -32,15 +32,15 @@ export const equations = {
     attitude: 'attitude',
     position: 'centre of mass',
     velocity: 'velocity',
-    angular: 'angular velocity, own axes',
-    inertia: 'inertia about the centre, own axes',
+    angular: 'angular velocity, body axes',
+    inertia: 'inertia about the centre, body axes',
     kinetic: 'kinetic energy',
   },
-  frame: { attitude: 'attitude', angular: 'angular velocity, own axes' },
+  frame: { attitude: 'attitude', angular: 'angular velocity, body axes' },
   energy: { kinetic: 'Kinetic energy', potential: 'Potential energy', lagrangian: 'Lagrangian', now: 'now' },
   structureNote: 'b counts the bodies; velocities and angular velocities are those under Bodies and frames.',
   tooLong: (count: number, least: string, most: string) =>
-    `${count} further entries are left out because they cannot be read: they take from ${least} to ${most} operations each. Their values stand in the table under In numbers.`,
+    `${count} further entries are left out because they are too long to read: they take from ${least} to ${most} operations each. Their values stand in the table under In numbers.`,
   rowLeft: (column: string, operations: string) => `${column}: ${operations} operations, not printed`,
   firstOrder: 'A system of first order: its state is y alone.',
   force: 'generalized force',
@@ -61,7 +61,7 @@ export const equations = {
     held: (names: string) =>
       `Held: ${names}. The table shows M and h of the free system; a run freezes these rows and columns.`,
     unknownInputs:
-      'This motion does not say what its inputs are: B u and, where no multipliers are recorded, λ are left open.',
+      'This motion does not say what its inputs are: B u and, where no multipliers are recorded, λ are left blank.',
     computed: 'λ is computed from the equations at this state; the motion brings none.',
     noConstraints: 'No constraints are in force.',
     unitNote: 'Entries of M, h and Ω are SI: metres and radians.',
@@ -104,10 +104,10 @@ export const equations = {
     label: (title: string) => `Copy LaTeX: ${title}`,
     short: 'TeX',
     done: 'Copied',
-    failed: 'Copying was refused',
+    failed: 'The browser refused to copy',
   },
   formula: (title: string) => `${title}. Left and right arrow keys go through its symbols`,
-  failed: 'This formula could not be set',
+  failed: 'This formula could not be drawn',
   meaning: {
     hint: 'Point at a symbol to read what it means, or go through those of a formula with the arrow keys.',
     rate: (label: string) => `rate of ${label}`,
@@ -117,7 +117,7 @@ export const equations = {
     attitude: (body: string) => `attitude of ${body}: its axes to the world's`,
     place: (body: string) => `centre of mass of ${body}`,
     velocity: (body: string) => `velocity of ${body}`,
-    omega: (body: string) => `angular velocity of ${body}, in its own axes`,
+    omega: (body: string) => `angular velocity of ${body}, in its body axes`,
     inertia: (body: string) => `inertia of ${body}`,
     kinetic: (body: string) => `kinetic energy of ${body}`,
     heading: (body: string) => `horizontal heading of ${body}`,

@@ -46,7 +46,7 @@ export const words = {
   exact: (codec: string) => `${codec}; every frame at its exact time.`,
   recorded: 'This browser has no video encoder for pages: it is recorded as it plays, and frames may be late.',
   glbAbout:
-    'Binary glTF 2.0 with one animation, for Blender, Windows 3D Viewer, three.js. Y is up, as glTF demands; one node a body.',
+    'Binary glTF 2.0 with one animation, for Blender, Windows 3D Viewer, three.js. Y is up, as glTF demands; one node per body.',
   glbFacts: (keys: string, bodies: number, seconds: string, size: string) =>
     `${keys} keyframes for ${bodies} ${bodies === 1 ? 'body' : 'bodies'}, ${seconds} s, about ${size}.`,
   csv: 'Run as CSV',
@@ -58,7 +58,8 @@ export const words = {
   noCodec: 'This browser can make no video of this size.',
   tooLong: (most: string) =>
     `Too many frames: at most ${most}. Choose a shorter part, a higher speed or fewer frames per second.`,
-  tooManyKeys: (most: string) => `Too many keyframes: at most ${most}. Choose a shorter part or so many a second.`,
+  tooManyKeys: (most: string) =>
+    `Too many keyframes: at most ${most}. Choose a shorter part, or a number of keyframes per second.`,
   empty: 'The part must end after it begins.',
   busy: 'An export is under way.',
   checking: 'Looking for a video encoder …',

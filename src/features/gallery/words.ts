@@ -1,7 +1,7 @@
 /** Words of the gallery. */
 export const text = {
   title: 'Cases',
-  edited: 'edited',
+  edited: 'changed',
   search: 'Search cases',
   placeholder: 'system, figure, word …',
   none: (word: string) => `No case matches “${word}”.`,

@@ -194,7 +194,7 @@ test('drafts, settings and the open file survive a reload; forgetting takes all 
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
   await expect(page.getByTestId('tool-panel-now')).toBeVisible();
   await expect(page.getByTestId('duration')).toHaveValue('1.5');
-  await expect(page.getByTestId('case-menu')).toContainText('edited');
+  await expect(page.getByTestId('case-menu')).toContainText('changed');
 
   // Forgotten, and nothing comes back until something is edited.
   await page.getByTestId('keys').click();
@@ -203,7 +203,7 @@ test('drafts, settings and the open file survive a reload; forgetting takes all 
   await page.reload();
   await motionRun(page, 'end');
   await expect(page.getByTestId('rows')).toHaveCount(0);
-  await expect(page.getByTestId('case-menu')).not.toContainText('edited');
+  await expect(page.getByTestId('case-menu')).not.toContainText('changed');
 
   // What was stored is read like a stranger's file.
   await page.evaluate(() =>
@@ -254,7 +254,7 @@ test('a file of the address plays; one from elsewhere is refused before it is as
     'javascript:alert(1)',
   ]) {
     await page.goto(`./?file=${encodeURIComponent(decodeURIComponent(file))}`);
-    await expect(message(page).last()).toContainText('The address names a file that is not opened');
+    await expect(message(page).last()).toContainText('The file named in the address was not opened');
   }
   await page.goto('./?file=data/none.csv');
   await expect(message(page).last()).toContainText('the server answered 404');

@@ -8,7 +8,7 @@ export const wheelPendulumCases: readonly Case[] = [
     title: 'Pendulum on a wheel let go',
     source: 'Report, section 3.5.1',
     chapter: '3.5.1',
-    look: 'Upright at ψ = -90°, six degrees off: the rod falls and its wheel rolls away under it. (Nothing keeps the rod out of the ground.)',
+    look: 'Upright at ψ = −90°, six degrees off: the rod falls and its wheel rolls away under it. (Nothing keeps the rod out of the ground.)',
     picture: { time: 0.9 },
     scenario: {
       version: 1,

@@ -163,6 +163,22 @@ export class Bodies {
     );
   }
 
+  /** Height of the lowest corner of all bounds (m), or Infinity without bodies. */
+  lowest(): number {
+    let lowest = Infinity;
+    for (const { box, root } of this.drawn) {
+      const e = root.matrix.elements;
+      let z = e[14]!;
+      for (let i = 0; i < 3; i++) {
+        const along = e[4 * i + 2]!;
+        const corner = along > 0 ? box.min : box.max;
+        z += along * corner.getComponent(i);
+      }
+      if (z < lowest) lowest = z;
+    }
+    return lowest;
+  }
+
   /** Indices of the bodies whose wheel rolls on the ground below it. */
   wheeled(): number[] {
     return this.drawn.flatMap(({ model }, i) => (model.spin ? [i] : []));

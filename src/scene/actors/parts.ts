@@ -57,6 +57,7 @@ export class Parts {
     const [front, back] = bodies.wheeled().map((i) => bodies.originOf(i)?.toArray() ?? null);
     const lowest = front && back ? Math.min(front[2], back[2]) : height;
     this.ground.followBoard(at, heading, Math.abs(lowest), front ?? null, back ?? null);
+    this.ground.uncover(bodies.lowest());
     this.lights.follow(...at, floor);
   }
 

@@ -19,6 +19,11 @@ import { softShadow } from './softShadow.ts';
 /** Size of the shadow's catcher, per metre of what is lit: what the shadow camera sees, seen aslant. */
 const CATCHER = 1.5;
 
+/** Least opacity of the ground, and from what depth to what depth of a body, per metre of its size, it becomes so. Bounds reach a little below what they hold. */
+const THINNEST = 0.3;
+const SHALLOW = 0.05;
+const DEEP = 0.15;
+
 const vertexShader = /* glsl */ `
   varying vec2 ground;
   void main() {
@@ -105,7 +110,8 @@ export class Ground {
   };
   private strength = 0;
   private shown = false;
-  private sunk = false;
+  /** Of the ground: what is below it is seen through it, the more the deeper it is. */
+  private cover = 1;
   private floor = 0;
   private size = 0.88;
 
@@ -167,16 +173,20 @@ export class Ground {
     this.uniforms.contact.value = this.strength;
     this.shown = true;
     this.catcher.position.set(position[0], position[1], this.floor);
-    // A body that fell through (free bodies know no ground) is seen through it.
-    this.sunk = position[2] < this.floor - 0.23 * this.size;
-    this.catcher.visible = !this.sunk;
+    this.catcher.visible = position[2] >= this.floor - 0.23 * this.size;
+  }
+
+  /** What fell through (free bodies know no ground) is seen through it. @param lowest height of what reaches deepest (m) */
+  uncover(lowest: number): void {
+    const depth = (this.floor - lowest) / this.size;
+    this.cover = 1 - (1 - THINNEST) * Math.min(Math.max((depth - SHALLOW) / (DEEP - SHALLOW), 0), 1);
   }
 
   clearBoard(): void {
     this.uniforms.contact.value = 0;
     this.shown = false;
     this.catcher.visible = false;
-    this.sunk = false;
+    this.cover = 1;
   }
 
   /** Fades around the target (m); `distance` is the camera's from it, and sets how far the ground is drawn. */
@@ -185,7 +195,7 @@ export class Ground {
     this.uniforms.centre.value.set(target.x, target.y);
     this.uniforms.reach.value = reach;
     this.uniforms.pool.value = 0.9 * distance;
-    this.uniforms.opacity.value = eyeHeight < this.floor || this.sunk ? 0.3 : 1;
+    this.uniforms.opacity.value = eyeHeight < this.floor ? THINNEST : this.cover;
     this.disc.position.set(target.x, target.y, this.floor);
     this.disc.scale.setScalar(reach);
     this.disc.updateMatrixWorld();

@@ -28,7 +28,7 @@ export const shareText = {
   openedFresh: 'The scenario is in the panel and running.',
   back: 'Back to your last work',
   altered:
-    'It was changed by hand, or its case has changed since it was made. Dots in the panel mark what differs from the case.',
+    'The link was changed by hand, or its case has changed since it was made. Dots in the panel mark what differs from the case.',
   unknownTool: (id: string) => `It names a tool that this page does not have: \u201c${id}\u201d.`,
   bad: 'The link could not be opened',
   badHint: 'Nothing on the page has changed.',

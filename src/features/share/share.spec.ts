@@ -77,7 +77,7 @@ test('a link opens to the same run, bit for bit, and the work from before stays 
     location.hash = 'v=1&case=released&duration=0.5&view=top&time=0.25&sum=0';
   });
   await expect(other.getByTestId('time')).toHaveText(/^0\.250\s/);
-  await expect(message(other).last()).toContainText('The link’s check does not fit');
+  await expect(message(other).last()).toContainText('The link was changed by hand');
   await message(other).last().getByRole('button', { name: 'Back to your last work' }).click();
   await expect(other.getByTestId('initial-alpha')).toHaveValue('(1/3) deg');
   expect(await hash(other)).toBe('');

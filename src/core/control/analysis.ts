@@ -15,6 +15,9 @@ export interface ControlAnalysis extends ControlReport {
 
 /**
  * What a view shows of a scenario's operating point and, where it has one, its lqr.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
  * @throws ScenarioError as `controlReport`
  */
 export function analyse(scenario: Scenario, system: System): ControlAnalysis {

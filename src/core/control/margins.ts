@@ -63,7 +63,11 @@ export function frequencies({ A, B, K }: Loop): number[] {
   return [...even, ...own.filter((w) => w > least)].sort((a, b) => a - b);
 }
 
-/** L(i w), k x k, as real and imaginary parts. */
+/**
+ * L(i w), k x k, as real and imaginary parts.
+ *
+ * @param w rad/s
+ */
 export function loopGain({ A, B, K }: Loop, w: number): { re: Matrix; im: Matrix } {
   const [n, k] = [A.rows, B.columns];
   const re = Float64Array.from(Matrix.mul(A, -1).to1DArray());
@@ -198,7 +202,11 @@ export function sampleTimeMargin({ A, B, K }: Loop): number {
   return Infinity;
 }
 
-/** One input's loop with the others closed. */
+/**
+ * One input's loop with the others closed.
+ *
+ * @param i place of the input, from 0
+ */
 export function oneInput({ A, B, K }: Loop, i: number): Loop {
   const others = B.mmul(K).sub(B.getColumnVector(i).mmul(K.getRowVector(i)));
   return { A: Matrix.sub(A, others), B: B.getColumnVector(i), K: K.getRowVector(i) };

@@ -34,7 +34,12 @@ const STEPS = 400;
 const CONSTANTS = 5;
 const LONGEST = 30;
 
-/** Null where the regulator leaves every mode as it is. @throws ScenarioError where there is no design */
+/**
+ * Null where the regulator leaves every mode as it is.
+ *
+ * @param system that the scenario names
+ * @throws ScenarioError where there is no design
+ */
 export function responsesOf({ scenario, input, state }: ResponsesRequest, system: System): Responses | null {
   const design = lqrOf(scenario, system);
   const { inputs, states } = design.linearization;

@@ -30,7 +30,12 @@ function samples({ coordinates, parameters }: Model): Sample[] {
   }));
 }
 
-/** The coordinates that give way so that heights vanish: those said, and for the others the ones that change them most at rest. */
+/**
+ * The coordinates that give way so that heights vanish: those said, and for the others the ones that change them most at rest.
+ *
+ * @param model what was read of a description
+ * @param set the constraint set
+ */
 export function solvedFor(model: Model, set: SetModel): number[] {
   const { graph, q, p } = model;
   const rows = set.rows.filter(({ height }) => height !== null);
@@ -84,7 +89,11 @@ function choose(
   return chosen;
 }
 
-/** @throws DescriptionError that names the line which makes it no system */
+/**
+ * @param model what was read of a description
+ * @param equations of the model
+ * @throws DescriptionError that names the line which makes it no system
+ */
 export function checkEquations(model: Model, equations: Equations): void {
   checkMass(model, equations);
   for (const set of equations.sets) checkRows(model, set);

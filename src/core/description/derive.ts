@@ -17,7 +17,12 @@ export interface Equations {
   sets: { id: string; rows: readonly Row[]; omega: Id[]; gamma: Id[] }[];
 }
 
-/** The mass matrix, h, and rows of every constraint set. @param step is told of every part, and may stop by throwing */
+/**
+ * The mass matrix, h, and rows of every constraint set.
+ *
+ * @param model what was read of a description
+ * @param step is told of every part, and may stop by throwing
+ */
 export function equationsOf(model: Model, step: (done: number, of: number) => void = () => {}): Equations {
   const { graph, q, v } = model;
   const n = q.length;
@@ -59,7 +64,13 @@ export function equationsOf(model: Model, step: (done: number, of: number) => vo
   return { M, h, sets };
 }
 
-/** d(results)/d(variables), row by row. */
+/**
+ * d(results)/d(variables), row by row.
+ *
+ * @param graph that holds the nodes
+ * @param results nodes
+ * @param variables nodes
+ */
 export function jacobianOf(graph: Graph, results: readonly Id[], variables: readonly Id[]): Id[] {
   const order = graph.reach(results);
   const k = variables.length;

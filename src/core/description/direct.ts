@@ -86,7 +86,13 @@ function sparsestFirst(graph: Graph, M: readonly Id[], n: number): number[] {
   return order;
 }
 
-/** Nothing where a clock is held, or where one line of operations would be too long. */
+/**
+ * Nothing where a clock is held, or where one line of operations would be too long.
+ *
+ * @param model what was read of a description
+ * @param equations of the model
+ * @param k place of the constraint set
+ */
 export function directOf(model: Model, equations: Equations, k: number): Pick<ConstraintSet, 'direct'> {
   try {
     return short(model, equations, k);

@@ -14,7 +14,10 @@ const MARKER = 0.012;
 /** Of the bars of a path, as a share of its length. */
 const BAR = 0.012;
 
-/** @returns meshes by body for parameters by name, SI; plain markers where the description has no shapes */
+/**
+ * @param model what was read of a description
+ * @returns meshes by body for parameters by name, SI; plain markers where the description has no shapes
+ */
 export function sketchOf(model: Model): (value: Value) => Sketch {
   const { bodies, shapes } = model;
   const meshes = bodies.map(({ id }, k) => meshOf(model, k) ?? id);
@@ -54,7 +57,11 @@ export function sketchOf(model: Model): (value: Value) => Sketch {
   };
 }
 
-/** Name of the mesh that a body wears, where the description says one. */
+/**
+ * Name of the mesh that a body wears, where the description says one.
+ *
+ * @param body place in the model, from 0
+ */
 export function meshOf({ shapes }: Model, body: number): string | null {
   return shapes.find((shape) => shape.body === body && shape.kind === 'model')?.model ?? null;
 }

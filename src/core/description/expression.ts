@@ -465,6 +465,13 @@ export class RateError extends Error {}
 
 export const dot = (graph: Graph, a: Vector, b: Vector): Id => graph.sum(a.map((x, k) => graph.mul(x, b[k]!)));
 
+/**
+ * The cross product a x b.
+ *
+ * @param graph that holds the nodes
+ * @param a three nodes
+ * @param b three nodes
+ */
 export function cross(graph: Graph, a: Vector, b: Vector): Vector {
   const part = (i: 0 | 1 | 2, j: 0 | 1 | 2): Id => graph.sub(graph.mul(a[i], b[j]), graph.mul(a[j], b[i]));
   return [part(1, 2), part(2, 0), part(0, 1)];

@@ -20,7 +20,11 @@ export interface SystemReading extends Reading {
   view: SystemView | null;
 }
 
-/** Reads a text, in milliseconds: its faults, its names, and what the page shows of it. Throws nothing. */
+/**
+ * Reads a text, in milliseconds: its faults, its names, and what the page shows of it. Throws nothing.
+ *
+ * @param text the description
+ */
 export function readSystem(text: string): SystemReading {
   const reading = readDescription(text);
   if (!reading.model) return { ...reading, view: null };
@@ -34,12 +38,23 @@ export function readSystem(text: string): SystemReading {
   }
 }
 
-/** The equations of a model. @throws DescriptionError or GrowthError, which `faultOf` words */
+/**
+ * The equations of a model.
+ *
+ * @param model what was read of a description
+ * @param view what the page shows of the model
+ * @param options what is told of progress
+ * @throws DescriptionError or GrowthError, which `faultOf` words
+ */
 export function deriveSystem(model: Model, view: SystemView, options?: DeriveOptions): System {
   return systemOf(model, view, options);
 }
 
-/** What a person can mend, in a sentence; null for any other error. */
+/**
+ * What a person can mend, in a sentence; null for any other error.
+ *
+ * @param error anything that was thrown
+ */
 export function faultOf(error: unknown): string | null {
   return error instanceof DescriptionError || error instanceof GrowthError ? error.message : null;
 }

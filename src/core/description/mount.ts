@@ -12,7 +12,14 @@ import { tangentsOf } from './tangents.ts';
 /** Operations times variables up to which Jacobians are a graph of their own. */
 const MOST_WORK = 250_000;
 
-/** What the page needs of a description to show a motion of it. @param id of the system, unique to its text @throws DescriptionError */
+/**
+ * What the page needs of a description to show a motion of it.
+ *
+ * @param model what was read of a description
+ * @param id of the system, unique to its text
+ * @throws DescriptionError
+ * @param text of the description
+ */
 export function viewOf(model: Model, id: string, text: string): SystemView {
   const poses = new Program(model.graph, { q: model.q, p: model.p }, { out: posesOf(model) }).interpreted();
   return {
@@ -86,6 +93,8 @@ export interface DeriveOptions {
 /**
  * The system of a model: everything that the mechanics take.
  *
+ * @param model what was read of a description
+ * @param view what the page shows of the model
  * @throws DescriptionError that names the line of what makes it no system; GrowthError where it is too large
  */
 export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions = {}): System {

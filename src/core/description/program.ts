@@ -157,7 +157,13 @@ export class Program {
   }
 }
 
-/** One node as an operation of a tape. @param place of what it is made of */
+/**
+ * One node as an operation of a tape.
+ *
+ * @param graph that holds the nodes
+ * @param id of the node
+ * @param place of what it is made of
+ */
 export function opOf(graph: Graph, id: Id, place: ReadonlyMap<Id, number>): Op {
   const name = OPS[graph.op[id]!]!;
   if (name === 'const') return ['const', graph.value[id]!];
@@ -166,7 +172,13 @@ export function opOf(graph: Graph, id: Id, place: ReadonlyMap<Id, number>): Op {
   return b >= 0 ? [name, place.get(a)!, place.get(b)!] : [name, place.get(a)!];
 }
 
-/** Nodes that have to be computed or are numbers, in order, not looking behind those that are given. */
+/**
+ * Nodes that have to be computed or are numbers, in order, not looking behind those that are given.
+ *
+ * @param graph that holds the nodes
+ * @param wanted nodes
+ * @param given nodes whose values are there
+ */
 export function needed(graph: Graph, wanted: readonly Id[], given: ReadonlyMap<Id, unknown>): Id[] {
   const seen = new Set<Id>();
   const waiting = [...wanted];
@@ -183,7 +195,13 @@ function interpret(tape: Int32Array, m: Float64Array): void {
   for (let k = 0; k < tape.length; k += 5) m[tape[k + 1]!] = evaluateOne(tape, k, m);
 }
 
-/** The result of the operation that begins at k. */
+/**
+ * The result of the operation that begins at k.
+ *
+ * @param tape five whole numbers an operation
+ * @param k where the operation begins
+ * @param m values by place
+ */
 export function evaluateOne(tape: Int32Array, k: number, m: Float64Array): number {
   const a = m[tape[k + 2]!]!;
   const b = m[tape[k + 3]!]!;

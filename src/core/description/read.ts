@@ -18,7 +18,11 @@ export interface Reading {
   names: Model['names'];
 }
 
-/** Reads a description; every line that is wrong is told, each with the first of its faults. */
+/**
+ * Reads a description; every line that is wrong is told, each with the first of its faults.
+ *
+ * @param text the description
+ */
 export function readDescription(text: string): Reading {
   const builder = new Builder();
   const faults: DescriptionError[] = [];

@@ -448,7 +448,12 @@ function inertias(r: Reader): Id[] {
   return parts;
 }
 
-/** `name = …` */
+/**
+ * `name = …`
+ *
+ * @param r reads the statement
+ * @param b is told what it says
+ */
 export function readDefinition(r: Reader, b: Builder): void {
   const name = newName(r, b, 'definition');
   r.expect('=', 'J = m*l^2/3');
@@ -456,7 +461,12 @@ export function readDefinition(r: Reader, b: Builder): void {
   b.define(name, r.line, 'definition', value);
 }
 
-/** `y' = …` */
+/**
+ * `y' = …`
+ *
+ * @param r reads the statement
+ * @param b is told what it says
+ */
 export function readRate(r: Reader, b: Builder): void {
   const token = r.takeKind('name')!;
   const name = token.text.replace(/('|_dot)$/, '');

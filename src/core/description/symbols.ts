@@ -28,7 +28,11 @@ const GREEK: Readonly<Record<string, string>> = {
   Sigma: 'Σ',
 };
 
-/** The letter that a name is typeset by: `theta_fc` is θ_fc. */
+/**
+ * The letter that a name is typeset by: `theta_fc` is θ_fc.
+ *
+ * @param name as typed
+ */
 export function symbolOf(name: string): string {
   const [first, ...rest] = name.split('_');
   return [GREEK[first!] ?? first, ...rest].join('_');

@@ -9,6 +9,7 @@ import { evaluateOne, type Call, type Program } from './program.ts';
  * A function like the program's that writes, for every output array and each of some input arrays, the derivatives row by row:
  * (outputs x variables), in the order of `by` and within it of the outputs.
  *
+ * @param program that is differentiated
  * @param by numbers of the input arrays
  */
 export function tangentsOf(program: Program, by: readonly number[]): Call {

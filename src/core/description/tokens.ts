@@ -50,7 +50,13 @@ const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?['’′]?/y;
 const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
 const SIGN = /\*\*|<=|>=|==|!=|[-+*/^<>?:(),=]/y;
 
-/** The tokens of one line; a "#" outside a text begins a comment. @throws DescriptionError */
+/**
+ * The tokens of one line; a "#" outside a text begins a comment.
+ *
+ * @param text of the line
+ * @param line its number, from 1, for errors
+ * @throws DescriptionError
+ */
 export function tokensOf(text: string, line: number): LineToken[] {
   const tokens: LineToken[] = [];
   const refuse = (reason: string, at: number, length = 1): never => {

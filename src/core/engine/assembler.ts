@@ -18,7 +18,11 @@ export type ValueType = typeof I32 | typeof F64 | typeof F64X2;
 const NOTHING = 0x40;
 const MAGIC = [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00];
 
-/** An unsigned integer in LEB128 [5.2.2]. */
+/**
+ * An unsigned integer in LEB128 [5.2.2].
+ *
+ * @param value whole, 0 or more
+ */
 export function unsigned(value: number): number[] {
   const bytes: number[] = [];
   let rest = value;

@@ -9,6 +9,8 @@ import { WasmRungeKutta } from './wasmRungeKutta.ts';
  *
  * @param id of the method
  * @param problem the formulation with multipliers of these dynamics, y = [q, v]
+ * @param dynamics the equations that the problem is made of
+ * @param options tolerances and steps
  * @returns null where there is none: another family of methods, a system without a tape, held coordinates, or a host that
  *   refuses WebAssembly
  */

@@ -27,7 +27,12 @@ export function compiles(): boolean {
 /** The smallest module there is: whether any may be compiled. */
 const PROBE = Uint8Array.of(0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00);
 
-/** The exports of a module, which finds HOST_FUNCTIONS. @param functions that it imports besides them */
+/**
+ * The exports of a module, which finds HOST_FUNCTIONS.
+ *
+ * @param bytes of the module
+ * @param functions that it imports besides them
+ */
 export function instantiate(bytes: Uint8Array<ArrayBuffer>, functions: object = {}): unknown {
   return new host!.Instance(new host!.Module(bytes), { host: { ...HOST_FUNCTIONS, ...functions } }).exports;
 }
@@ -49,7 +54,12 @@ export const HOST_FUNCTIONS: Readonly<Record<string, (x: number, y: number) => n
   pow: Math.pow,
 };
 
-/** Imports of those that a tape's operations ask for, by name. They come before the module's own functions. */
+/**
+ * Imports of those that a tape's operations ask for, by name. They come before the module's own functions.
+ *
+ * @param module that it becomes part of
+ * @param ops the tape's operations
+ */
 export function importsFor(module: Module, ops: readonly Op[]): ReadonlyMap<string, Func> {
   const imports = new Map<string, Func>();
   for (const [kind, , second] of ops)

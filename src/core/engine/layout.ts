@@ -125,7 +125,15 @@ export const weighted = (
     .map(({ w, j }) => of.mul(of.const(w), of.load(get(p), slopeOf(kind, j))))
     .reduce((total, term) => of.add(total, term));
 
-/** A body for each of `count` numbers from an address on, with the local `p` pointing at it. @param step numbers at once */
+/**
+ * A body for each of `count` numbers from an address on, with the local `p` pointing at it.
+ *
+ * @param p number of the local
+ * @param from the first address, bytes
+ * @param count how many numbers
+ * @param body code that uses the local
+ * @param step numbers at once
+ */
 export function each(p: number, from: Code, count: number, body: Code, step = 1): Code {
   const left = count * BYTES;
   // The pointer runs; the end is told by its distance from the start, which is computed anew: V8 keeps it in a register.
@@ -148,6 +156,10 @@ export const store = (at: number, value: Code): Code => f64.store(i32.const(0), 
 export const constantsOf = ({ prepare }: Tape, layout: Layout): ReadonlyMap<number, Code> =>
   new Map(prepare.map((i, k) => [i, load(layout.constants + k)]));
 
+/**
+ * @param array its name
+ * @throws Error for a function on the tape that reads an array which is not there
+ */
 export function fail(array: string): never {
   throw new Error(`a function on the tape reads the array "${array}", which it does not have`);
 }

@@ -67,7 +67,13 @@ const machines = new WeakMap<object, Map<EmbeddedTableau, (Machine | null)[]>>()
 
 /**
  * The machine for a pair on one constraint set; compiled once.
+ *
+ * @param tape of the derivation
+ * @param setId of the constraint set
+ * @param tableau of the method
+ * @param contact null without one
  * @param n coordinates
+ * @param forced forces act from outside
  * @returns null where WebAssembly is refused
  */
 export function machineFor(

@@ -18,6 +18,8 @@ import { writeAttempt, writeSteps } from './writeSteps.ts';
  *     steps(place, count, …) -> how many                steps from the y0 and k_1 of a place on (writeSteps.ts)
  *     makeDense(step, t, h) -> 1 or 0                   coefficients of a step's dense output
  *     interpolate(step, s)                              at a fraction of it, into `sample`
+ *
+ * @param kind tape, constraint set, method and number of coordinates
  */
 export function writeProgram(kind: Kind): Uint8Array<ArrayBuffer> {
   const layout = layoutOf(kind);

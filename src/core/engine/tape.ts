@@ -44,7 +44,10 @@ export interface Places {
  * The memory is there for V8, which orders freely what has no effect: it took the operations level by level, with hundreds of
  * values waiting, and moved most of them to the stack and back. A store holds its place in the order, and so what it is made of; that
  * and FAR make a quarter less time of 1,900 operations (Node 20).
+ *
+ * @param func the function that computes
  * @param wanted positions of the values
+ * @param places where values that are used more than once lie
  * @returns the code, by position the code that reads a value afterwards, and whether it lies at home
  */
 export function compute(
@@ -162,7 +165,13 @@ function sineAndCosine(func: Func, angle: Code, code: Code[]): Angle {
   return { sin: get(sine), cos: get(cosine) };
 }
 
-/** Positions of what values are made of, in order, not looking behind those that are known. */
+/**
+ * Positions of what values are made of, in order, not looking behind those that are known.
+ *
+ * @param ops the tape's operations
+ * @param wanted positions
+ * @param known by position
+ */
 export function reached(ops: readonly Op[], wanted: readonly number[], known: ReadonlyMap<number, unknown>): number[] {
   const seen = new Set<number>();
   const waiting = [...wanted];

@@ -5,7 +5,12 @@ import { HERMITE_TERMS } from '../integrators/shared/interpolation.ts';
 import { f64, F64, f64x2, F64X2, get, giveBack, i32, I32, set, type Code, type Module } from './assembler.ts';
 import { BYTES, eachPair, evaluate, slopeOf, weighted, y1Of, type Parts } from './layout.ts';
 
-/** makeDense(step, t, h): coefficients of a step from its y0 and slopes; 0 where an extra stage has no value. */
+/**
+ * makeDense(step, t, h): coefficients of a step from its y0 and slopes; 0 where an extra stage has no value.
+ *
+ * @param module that it becomes part of
+ * @param parts what the module consists of so far
+ */
 export function writeDense(module: Module, parts: Parts): void {
   const { kind, layout } = parts;
   const N = 2 * kind.n;
@@ -77,7 +82,11 @@ export function writeDense(module: Module, parts: Parts): void {
   ];
 }
 
-/** interpolate(step, s): the state at a fraction of a step into `sample`. */
+/**
+ * interpolate(step, s): the state at a fraction of a step into `sample`.
+ *
+ * @param module that it becomes part of
+ */
 export function writeInterpolate(module: Module, { kind, layout }: Parts): void {
   const N = 2 * kind.n;
   const interpolate = module.func([I32, F64], [], 'interpolate');

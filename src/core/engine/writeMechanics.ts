@@ -30,7 +30,13 @@ function homesOf(layout: Layout, factors: readonly number[] = []): (position: nu
   return (i) => (known.get(i) ?? layout.scratch + i) * BYTES;
 }
 
-/** accelerations(y, rate), with lambda and factors to their places. */
+/**
+ * accelerations(y, rate), with lambda and factors to their places.
+ *
+ * @param module that it becomes part of
+ * @param layout where the values lie in memory
+ * @param functions those that it calls
+ */
 export function accelerationsOf(
   module: Module,
   { tape, set: values, n }: Kind,
@@ -72,6 +78,12 @@ export function accelerationsOf(
 
 /**
  * project(y) in place, as Projection.project.
+ *
+ * @param module that it becomes part of
+ * @param kind tape, constraint set, method and number of coordinates
+ * @param layout where the values lie in memory
+ * @param functions those that it calls
+ * @param accelerations as `accelerationsOf` writes it
  * @returns the same for the end of a step, near its last stage; both give 0 where they cannot
  */
 export function projectionOf(

@@ -33,7 +33,13 @@ import {
 } from './assembler.ts';
 import { BYTES, each, eachPair, evaluate, load, slopeOf, TOLD, weighted, y1Of, type Parts } from './layout.ts';
 
-/** attempt(step, t, h, rtol, atol, projecting): scaled error of a step from its y0 and k_1; NaN where it has none. */
+/**
+ * attempt(step, t, h, rtol, atol, projecting): scaled error of a step from its y0 and k_1; NaN where it has none.
+ *
+ * @param module that it becomes part of
+ * @param parts what the module consists of so far
+ * @param project as `projectionOf` writes it
+ */
 export function writeAttempt(module: Module, parts: Parts, project: Func): Func {
   const { kind } = parts;
   const N = 2 * kind.n;
@@ -125,6 +131,11 @@ export function writeAttempt(module: Module, parts: Parts, project: Func): Func 
  *
  * A step that does not come about for any reason ends it, and leaves the one before as the last: TypeScript goes on from there,
  * in the same way, and says what was the matter.
+ *
+ * @param module that it becomes part of
+ * @param parts what the module consists of so far
+ * @param attempt as `writeAttempt` writes it
+ * @param pow the host's
  */
 export function writeSteps(module: Module, parts: Parts, attempt: Func, pow: Func): void {
   const { kind, layout } = parts;

@@ -37,6 +37,7 @@ export const FEET = { kp: 60, kd: 3 } as const;
 /**
  * The targets of both feet, as expressions of t.
  *
+ * @param gait of both feet; rad, Hz
  * @returns front, back, rad
  */
 export function targetsOf(gait: Gait): [front: string, back: string] {
@@ -55,7 +56,14 @@ function wave({ amplitude, frequency, harmonics }: Gait, mean: number, ahead: nu
   return `${mean === 0 ? '' : `${mean} + `}${amplitude}*${sum}`;
 }
 
-/** One foot's target at a share of a stroke. @returns rad */
+/**
+ * One foot's target at a share of a stroke.
+ *
+ * @param gait of both feet; rad, Hz
+ * @param foot which
+ * @param share 0 to 1
+ * @returns rad
+ */
 export function targetAt(gait: Gait, foot: 'front' | 'back', share: number): number {
   const ahead = foot === 'front' ? 0 : gait.phase;
   const angle = 2 * Math.PI * share + ahead;
@@ -69,6 +77,7 @@ export function targetAt(gait: Gait, foot: 'front' | 'back', share: number): num
  * A scenario in which the feet do this.
  *
  * @param meta of a system whose meta says what its feet are (`gait`)
+ * @param gait of both feet; rad, Hz
  * @param base what else holds: parameters, start, duration
  * @throws Error where the system has no feet
  */

@@ -43,6 +43,7 @@ export class GaitError extends Error {}
  * Runs a gait and measures its last strokes.
  *
  * @param system one whose meta says what its feet are
+ * @param gait of both feet; rad, Hz
  * @throws GaitError for a board that falls
  */
 export function measureGait(system: System, gait: Gait, { speed, parameters = {} }: GaitRun): GaitReport {
@@ -134,6 +135,7 @@ const AMPLITUDES = [0.005, 1] as const;
 /**
  * The amplitude with which a gait holds a speed: secant steps on the settled speed, which grows with the amplitude.
  *
+ * @param system with feet in its meta
  * @param gait whose amplitude is where to begin
  * @param run the speed that is to be held, m/s
  * @returns the last report, whose speed is the one asked for

@@ -31,7 +31,10 @@ const TOLERANCE = 2e-5;
 /**
  * Searches from a gait on; yields after every run.
  *
+ * @param system with feet in its meta
+ * @param start where the search begins
  * @param run the speed that is to be held, m/s
+ * @param search its steps and limits
  * @returns the cheapest gait that was found
  * @throws GaitError where none holds the speed
  */

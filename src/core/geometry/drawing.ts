@@ -49,6 +49,7 @@ export type Value = (name: string, otherwise?: number) => number;
 /**
  * Parameters by name for a sketch.
  *
+ * @param meta of the system
  * @param parameters SI; those that are missing or no numbers take the meta's defaults
  */
 export function valueOf(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Value {
@@ -73,7 +74,11 @@ export interface Sketch extends Layout {
   fixtures?: Readonly<Record<string, Omit<Body, 'name'>>>;
 }
 
-/** Who wears which mesh, and the stage: what a drawing says beside its meshes. */
+/**
+ * Who wears which mesh, and the stage: what a drawing says beside its meshes.
+ *
+ * @param meta of the system
+ */
 export function castOf(meta: SystemMeta, { spins, stage }: Layout): Pick<Drawing, 'bodies' | 'stage'> {
   const indexOf = (id: string | undefined): number => meta.bodies.findIndex((body) => body.id === id);
   const { subject, ...own } = stage ?? {};

@@ -6,6 +6,7 @@ import { type Body, writeMaterials, writeMesh } from './wavefront.ts';
 /**
  * A system's sketch as meshes, bodies and stage.
  *
+ * @param meta of the system
  * @param sketch plain markers where it is left out
  * @throws Error that names a body without a mesh
  */

@@ -6,6 +6,8 @@ export type Triangle = readonly [Vec3, Vec3, Vec3];
 /**
  * The skin over rows of points; every row has as many points.
  * Outside is where (direction along a row) x (direction from row to row) points.
+ *
+ * @param rows points, m, as many in every row
  */
 export function skin(rows: readonly (readonly Vec3[])[]): Triangle[] {
   const triangles: Triangle[] = [];
@@ -22,7 +24,11 @@ export function skin(rows: readonly (readonly Vec3[])[]): Triangle[] {
 export const flipped = (triangles: readonly Triangle[]): Triangle[] =>
   triangles.map(([a, b, c]): Triangle => [a, c, b]);
 
-/** A convex polygon, seen counter-clockwise from outside, as a fan. */
+/**
+ * A convex polygon, seen counter-clockwise from outside, as a fan.
+ *
+ * @param polygon its corners, m
+ */
 export function fan(polygon: readonly Vec3[]): Triangle[] {
   const [first, ...rest] = polygon;
   return rest.slice(1).flatMap((c, i): Triangle[] => {
@@ -38,6 +44,12 @@ export type ProfilePoint = readonly [number, number];
  * A profile turned about the placement's z axis; `from` and `to` in segments of the whole turn.
  * Outside lies to the right of the profile's direction when height points up:
  * out along the bottom, up, and back in along the top makes a solid.
+ *
+ * @param profile [radius, height], m
+ * @param segments of a whole turn
+ * @param placement origin, m, and axes
+ * @param from first segment
+ * @param to last segment
  */
 export function turned(
   profile: readonly ProfilePoint[],
@@ -58,7 +70,15 @@ export function turned(
 
 export type PlanePoint = readonly [number, number];
 
-/** A convex polygon (counter-clockwise in the placement's x, y) made a plate between two heights, edges chamfered. */
+/**
+ * A convex polygon (counter-clockwise in the placement's x, y) made a plate between two heights, edges chamfered.
+ *
+ * @param polygon its corners, m
+ * @param low m
+ * @param high m
+ * @param chamfer m
+ * @param placement origin, m, and axes
+ */
 export function plateOf(
   polygon: readonly PlanePoint[],
   low: number,
@@ -84,7 +104,11 @@ function towardsCentre(polygon: readonly PlanePoint[], distance: number): PlaneP
   });
 }
 
-/** Andrew's monotone chain: the convex hull, counter-clockwise. */
+/**
+ * Andrew's monotone chain: the convex hull, counter-clockwise.
+ *
+ * @param points in the plane, m
+ */
 export function convexHull(points: readonly PlanePoint[]): PlanePoint[] {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const half = (list: readonly PlanePoint[]): PlanePoint[] => {
@@ -110,6 +134,8 @@ export const circle = (x: number, y: number, radius: number, segments: number): 
 /**
  * Monotone cubic interpolation (Fritsch and Carlson 1980, harmonic-mean slopes): between two knots the
  * curve never leaves their range, so an outline keeps the extent that its knots promise.
+ *
+ * @param knots values at positions 0, 1, 2 and so on
  */
 export function monotoneCurve(knots: readonly number[]): (position: number) => number {
   const rise = knots.slice(1).map((y, i) => y - (knots[i] ?? y));

@@ -19,13 +19,25 @@ export const mixPoints = (a: Vec3, b: Vec3, k: number): Vec3 => [
 ];
 export const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
-/** 0 below `from`, 1 above `to`, smooth between. */
+/**
+ * 0 below `from`, 1 above `to`, smooth between.
+ *
+ * @param from below `to`
+ * @param to above `from`
+ * @param x in the same units
+ */
 export function smoothStep(from: number, to: number, x: number): number {
   const k = clamp((x - from) / (to - from), 0, 1);
   return k * k * (3 - 2 * k);
 }
 
-/** `count + 1` values from `from` to `to`, both met exactly. */
+/**
+ * `count + 1` values from `from` to `to`, both met exactly.
+ *
+ * @param from the first
+ * @param to the last
+ * @param count of the steps between
+ */
 export function steps(from: number, to: number, count: number): number[] {
   return Array.from({ length: count + 1 }, (_, i) => (i === count ? to : from + ((to - from) * i) / count));
 }
@@ -43,7 +55,12 @@ export const place = (p: Placement, x: number, y: number, z: number): Vec3 =>
 
 export const upright = (origin: Vec3): Placement => ({ origin, ex: [1, 0, 0], ey: [0, 1, 0], ez: [0, 0, 1] });
 
-/** Local z along the world's y: for everything that turns on an axle. `ex` is a unit vector normal to y. */
+/**
+ * Local z along the world's y: for everything that turns on an axle. `ex` is a unit vector normal to y.
+ *
+ * @param origin m
+ * @param ex unit vector normal to y
+ */
 export function alongY(origin: Vec3, ex: Vec3): Placement {
   const ez: Vec3 = [0, 1, 0];
   return { origin, ex, ey: cross(ez, ex), ez };

@@ -141,7 +141,11 @@ function faceLines(part: Part, points: LineTable, normals: LineTable): string[] 
   });
 }
 
-/** Wavefront OBJ; parts of one group must follow one another, so that a reader sees each group once. */
+/**
+ * Wavefront OBJ; parts of one group must follow one another, so that a reader sees each group once.
+ *
+ * @param body its parts, m
+ */
 export function writeMesh(body: Body): string {
   const points = new LineTable();
   const normals = new LineTable();
@@ -165,7 +169,11 @@ export function writeMesh(body: Body): string {
   ].join('\n');
 }
 
-/** MTL with the materials that the body uses, in a fixed order. */
+/**
+ * MTL with the materials that the body uses, in a fixed order.
+ *
+ * @param body its parts
+ */
 export function writeMaterials(body: Body): string {
   const used = new Set<string>(body.parts.map((part) => part.material));
   const blocks = Object.entries(materials as Record<string, Material>)

@@ -20,7 +20,11 @@ export interface WheelForm {
 /** Steps of a tyre's turn; one spoke's worth of them carries the mark. */
 const SEGMENTS = 60;
 
-/** A spoked wheel about y: tyre, rim, hub, spokes, one of them marked (along -z, towards the ground, at no turn). */
+/**
+ * A spoked wheel about y: tyre, rim, hub, spokes, one of them marked (along -z, towards the ground, at no turn).
+ *
+ * @param form its measures, m
+ */
 export function spokedWheel(form: WheelForm): Part[] {
   const { radius: R, halfWidth: w, spokes, spokeRadius, tyre = 'grip', marked = 'accent', hub = [0, 0, 0] } = form;
   const axle = alongY(hub, [0, 0, -1]);

@@ -19,7 +19,10 @@ export type ParsedMeasure = { fact: Fact } | { kind: Kind; expression: string };
 
 const SHAPE = new RegExp(`^\\s*(${KINDS.join('|')})\\s*(?:\\.\\s*([A-Za-z_]\\w*)|\\((.*)\\))\\s*$`, 's');
 
-/** @throws Error with words of what would be right */
+/**
+ * @param text as written in the file
+ * @throws Error with words of what would be right
+ */
 export function measureOf(text: string): ParsedMeasure {
   const plain = text.trim();
   if ((FACTS as readonly string[]).includes(plain)) return { fact: plain as Fact };
@@ -39,7 +42,12 @@ const LATEST = 0.9;
 /** The final value is the mean over this part of the rows. */
 const FINAL = 0.02;
 
-/** @param column by name; undefined where there is none @param names of the columns that an expression may use */
+/**
+ * @param expression of the columns
+ * @param names of the columns that an expression may use
+ * @param column by name; undefined where there is none
+ * @param rows how many
+ */
 export function valuesOf(
   expression: string,
   names: readonly string[],
@@ -64,7 +72,9 @@ export function valuesOf(
 }
 
 /**
- * @param t times of the rows, s, ascending @param values as many
+ * @param kind what of the values
+ * @param t times of the rows, s, ascending
+ * @param values one for each time
  * @returns NaN where the run has no such number (no row, or a step that never rises)
  */
 export function reduced(kind: Kind, t: Float64Array, values: Float64Array): number {
@@ -115,7 +125,12 @@ function ofResponse(kind: Kind, t: Float64Array, values: Float64Array): number {
   return first(RISE[1]) - first(RISE[0]);
 }
 
-/** Trapezoidal rule. */
+/**
+ * Trapezoidal rule.
+ *
+ * @param t s, ascending
+ * @param values one for each time
+ */
 export function integral(t: Float64Array, values: Float64Array): number {
   let sum = 0;
   for (let i = 1; i < t.length; i++) sum += 0.5 * (values[i]! + values[i - 1]!) * (t[i]! - t[i - 1]!);

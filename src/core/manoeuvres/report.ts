@@ -30,7 +30,11 @@ export interface TestReport {
 const numberOrNull = (x: number): number | null => (Number.isFinite(x) ? x : null);
 const short = (x: number): string => String(Number(x.toPrecision(4)));
 
-/** @param runs as many as the test has; an error's words in the place of a run that could not begin */
+/**
+ * @param test checked
+ * @param runs as many as the test has; an error's words in the place of a run that could not begin
+ * @param seconds that the test took
+ */
 export function outcomeOf(test: CheckedTest, runs: readonly (Measured | string)[], seconds: number): Outcome {
   const within = (run: Measured | string): boolean =>
     typeof run !== 'string' && run.value >= test.low && run.value <= test.high;
@@ -78,6 +82,12 @@ function wordsOf(test: CheckedTest, worst: Measured | string, count: number, pas
   return `${many}${test.measure} = ${short(value)}, ${value >= test.low && value <= test.high ? 'within' : 'not'} ${bounds}`;
 }
 
+/**
+ * The report of all tests of a file.
+ *
+ * @param system its id
+ * @param tests what came of each
+ */
 export function reportOf(system: string, tests: readonly Outcome[]): TestReport {
   const passed = tests.filter((t) => t.passed).length;
   return {

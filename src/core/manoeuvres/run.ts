@@ -26,7 +26,12 @@ export interface TestRun {
   drawn: Record<string, number>;
 }
 
-/** One, or as many as the test's spread has, each with what was drawn for it. */
+/**
+ * One, or as many as the test's spread has, each with what was drawn for it.
+ *
+ * @param test checked
+ * @param file the scenario as written
+ */
 export function runsOf(test: CheckedTest, file: ScenarioFile): TestRun[] {
   const base = patched(file, test.scenario);
   const { spread } = test;
@@ -58,7 +63,16 @@ function nested([key, ...rest]: readonly string[], value: number): Record<string
   return { [key!]: rest.length === 0 ? value : nested(rest, value) };
 }
 
-/** Computes a run and measures it; its rows are handed to `look`, for a picture. @throws ScenarioError, StartError, Error */
+/**
+ * Computes a run and measures it; its rows are handed to `look`, for a picture.
+ *
+ * @param test checked
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param feedback by input; null where there is no controller
+ * @param look is told the rows, by column
+ * @throws ScenarioError, StartError, Error
+ */
 export function measureRun(
   test: CheckedTest,
   scenario: Scenario,

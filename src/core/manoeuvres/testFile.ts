@@ -51,7 +51,10 @@ const MOST_TESTS = 200;
 const MOST_RUNS = 1000;
 const MOST_SEED = 2 ** 32 - 1;
 
-/** @throws ScenarioError with the path of the first thing that is wrong */
+/**
+ * @param raw JSON as parsed
+ * @throws ScenarioError with the path of the first thing that is wrong
+ */
 export function checkTests(raw: unknown): CheckedTest[] {
   const c = new Checker();
   const file = new Map(c.entries('', raw, ['version', 'tests']));
@@ -66,7 +69,12 @@ export function checkTests(raw: unknown): CheckedTest[] {
   return tests as CheckedTest[];
 }
 
-/** Reads JSON text. @throws ScenarioError */
+/**
+ * Reads JSON text.
+ *
+ * @param text as written in the file
+ * @throws ScenarioError
+ */
 export function parseTests(text: string): CheckedTest[] {
   const plain = text.replace(/^\ufeff/, '');
   const fault = jsonFault(plain);
@@ -153,7 +161,12 @@ function checkSpread(c: Checker, raw: unknown, path: string): Spread {
   };
 }
 
-/** A scenario with a patch over it: objects are gone into, anything else is replaced, null leaves out. */
+/**
+ * A scenario with a patch over it: objects are gone into, anything else is replaced, null leaves out.
+ *
+ * @param file the scenario as written
+ * @param patch what differs, by key
+ */
 export function patched(file: ScenarioFile, patch: Readonly<Record<string, unknown>> = {}): ScenarioFile {
   return merged(file, patch) as unknown as ScenarioFile;
 }

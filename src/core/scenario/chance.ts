@@ -31,7 +31,9 @@ export const uniform = (seed: number, stream: number, place: number): number => 
  * N. Balakrishnan, Continuous Univariate Distributions, vol. 2, section 26.9). Mean, deviation and skewness are exact, the
  * kurtosis is 2.9 in place of 3, and nothing is beyond 6.
  *
- * @param seed, stream, place whole numbers
+ * @param seed whole number
+ * @param stream whole number
+ * @param place whole number
  */
 export function normal(seed: number, stream: number, place: number): number {
   const key = keyOf(seed, stream);

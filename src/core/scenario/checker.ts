@@ -80,11 +80,22 @@ export class Checker {
   }
 }
 
+/**
+ * The path of a key, cut where it is too long to show.
+ *
+ * @param path of the object, '' for the whole
+ * @param key within it
+ */
 export function join(path: string, key: string): string {
   const shown = key.length > 60 ? `${key.slice(0, 59)}…` : key;
   return path ? `${path}.${shown}` : shown;
 }
 
+/**
+ * What a value is, for the words of an error.
+ *
+ * @param raw JSON as parsed
+ */
 export function kindOf(raw: unknown): string {
   if (raw === undefined) return 'missing';
   if (raw === null) return 'null';
@@ -93,6 +104,12 @@ export function kindOf(raw: unknown): string {
   return typeof raw === 'object' ? 'an object' : `${typeof raw} ${String(raw)}`;
 }
 
+/**
+ * Words for a name that is not known, with the nearest one that is.
+ *
+ * @param name as written
+ * @param known names that would be right
+ */
 export function unknownName(name: string, known: readonly string[]): string {
   const shown = name.length > 40 ? `${name.slice(0, 39)}…` : name;
   const near = known

@@ -18,6 +18,8 @@ const MOST_SENSORS = 100;
 const MOST_SEED = 2 ** 32 - 1;
 
 /**
+ * @param c collects the errors
+ * @param control entries as written, by key
  * @param inputs what the controller drives
  * @param limits `control.limits`
  * @param states names; null where the controller has no model to estimate them by

@@ -38,7 +38,9 @@ const CHAINED = new Map([
 
 /**
  * Compiles a number or text such as `"22*exp(-10*(t-8)^2)"` or `"45 deg"` (SI, radians).
- * @param options.variables names of the independent variable: `['t']`, or none for constants
+ *
+ * @param text as written
+ * @param options names of the independent variable: `['t']`, or none for constants
  * @throws ExpressionError also where a constant, or a constant part, is not a finite number
  */
 export function compileExpression(
@@ -52,7 +54,13 @@ export function compileExpression(
   return compiled(new Compiler(plainText(text, options.variables), options.variables).compile());
 }
 
-/** The tree of a formula of several variables, each a `name` by its place (see `formula.ts`). @throws ExpressionError */
+/**
+ * The tree of a formula of several variables, each a `name` by its place (see `formula.ts`).
+ *
+ * @param text as written
+ * @param variables their names
+ * @throws ExpressionError
+ */
 export function formulaTree(text: string, variables: readonly string[]): Node {
   return new Compiler(plainText(text, variables), variables, true).compile();
 }
@@ -79,7 +87,12 @@ function compiled(tree: Node): CompiledExpression {
   return { evaluate: orLimit(value), derivative: orLimit(rate), constant: tree.constant, tree };
 }
 
-/** Value of a constant expression. @throws ExpressionError */
+/**
+ * Value of a constant expression.
+ *
+ * @param text as written
+ * @throws ExpressionError
+ */
 export function evaluateNumber(text: string | number): number {
   return compileExpression(text, { variables: [] }).evaluate(0);
 }

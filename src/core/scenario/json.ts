@@ -3,6 +3,8 @@ const TOKEN =
 
 /**
  * Where a text stops being JSON: engines word this differently, and some leave the place out.
+ *
+ * @param text that should be JSON
  * @returns 0-based position and what would be right there, or null when it is JSON
  */
 export function jsonFault(text: string): { position: number; message: string } | null {
@@ -26,7 +28,12 @@ export function jsonFault(text: string): { position: number; message: string } |
     : { position: text.length, message: `the text ends where ${WORDS[expected]} is expected` };
 }
 
-/** 1-based line and column of a position. */
+/**
+ * 1-based line and column of a position.
+ *
+ * @param text as written
+ * @param position 0-based
+ */
 export function placeIn(text: string, position: number): { line: number; column: number } {
   const before = text.slice(0, position).split(/\r\n|\n|\r/);
   return { line: before.length, column: before.at(-1)!.length + 1 };

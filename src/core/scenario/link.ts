@@ -45,6 +45,8 @@ const NOTHING = { version: 1 } as const;
 
 /**
  * The text after `#`, without it.
+ *
+ * @param content scenario, and what the page shows of it
  * @throws LinkError when it would be longer than `LONGEST_LINK`, or for what a link can't carry
  */
 export function encodeLink(content: LinkContent, { cases, systems }: Known): string {
@@ -73,7 +75,9 @@ export function encodeLink(content: LinkContent, { cases, systems }: Known): str
 /**
  * What a link holds, its scenario checked like a stranger's file. What mail and chat programs do to addresses is undone
  * where the check then fits: `&amp;`, `%3D`, `%26` and `%23` in place of signs, a full stop or bracket after the end.
+ *
  * @param text with or without `#`
+ * @param known built-in cases and systems
  * @throws LinkError, and nothing else, for what can't be read
  */
 export function decodeLink(text: string, known: Known): OpenedLink {

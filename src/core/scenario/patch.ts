@@ -21,12 +21,20 @@ const DEEPEST = 6;
 export const encode = (text: string): string =>
   encodeURIComponent(text).replace(/[!'()*]/g, (c) => `%${c.charCodeAt(0).toString(16).toUpperCase()}`);
 
+/**
+ * A text cut to 60 characters, for words.
+ *
+ * @param text as written
+ */
 export function short(text: string): string {
   return text.length > 60 ? `${text.slice(0, 59)}…` : text;
 }
 
 /**
  * What makes `to` out of `from`, keys in their order. Objects are gone into; anything else, also a list, is replaced whole.
+ *
+ * @param from record
+ * @param to record
  * @throws LinkError for what JSON could not hold
  */
 export function difference(from: Readonly<Record<string, unknown>>, to: Readonly<Record<string, unknown>>): Entry[] {
@@ -57,6 +65,9 @@ function collect(path: string, from: unknown, to: unknown, entries: Entry[]): vo
 
 /**
  * A copy of `from` with the entries in force, one after the other.
+ *
+ * @param from record, which stays as it is
+ * @param entries path and value, in order
  * @throws LinkError with the place of an entry that can't be
  */
 export function patched(from: Readonly<Record<string, unknown>>, entries: readonly Entry[]): Record<string, unknown> {
@@ -81,7 +92,11 @@ function set(root: Record<string, unknown>, path: string, text: string): void {
   else at[last] = readValue(path, text);
 }
 
-/** @throws LinkError for a broken percent code */
+/**
+ * @param place for the error
+ * @param text percent-encoded
+ * @throws LinkError for a broken percent code
+ */
 export function decode(place: string, text: string): string {
   try {
     return decodeURIComponent(text);
@@ -98,6 +113,13 @@ function writeValue(path: string, value: unknown): string {
   throw new LinkError(path, 'is nothing that a link can carry');
 }
 
+/**
+ * A value of a link: JSON, or text that stands for itself.
+ *
+ * @param path for the error
+ * @param text as written
+ * @throws LinkError
+ */
 export function readValue(path: string, text: string): unknown {
   let value: unknown;
   try {
@@ -142,6 +164,11 @@ function isWellFormed(text: string): boolean {
   }
 }
 
+/**
+ * Whether a value is an object with keys, and not a list.
+ *
+ * @param value anything
+ */
 export function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
@@ -163,6 +190,11 @@ function sameLeaf(a: unknown, b: unknown): boolean {
   return Object.is(a, b);
 }
 
+/**
+ * A deep copy.
+ *
+ * @param value JSON as parsed
+ */
 export function copy(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(copy);
   return isRecord(value) ? Object.fromEntries(Object.entries(value).map(([key, entry]) => [key, copy(entry)])) : value;

@@ -16,6 +16,13 @@ export type PathOptions =
 const KINDS = ['line', 'circle', 'points', 'curve'] as const;
 const MOST_POINTS = 1000;
 
+/**
+ * Checks `control.path`; undefined where it has errors, which are then collected.
+ *
+ * @param c collects the errors
+ * @param raw `control.path` as written
+ * @param meta of the system
+ */
 export function checkPath(c: Checker, raw: unknown, meta: SystemMeta): PathOptions | undefined {
   const path = 'control.path';
   if (!(meta.forward ?? meta.speed))
@@ -68,7 +75,11 @@ function checkPoints(c: Checker, raw: unknown, closed: boolean): PathOptions | u
   return { points, closed };
 }
 
-/** Points of a path that is drawn through points, its curve sampled. */
+/**
+ * Points of a path that is drawn through points, its curve sampled.
+ *
+ * @param path as checked, m
+ */
 export function pointsOf(path: Extract<PathOptions, { closed: boolean }>): [number, number][] {
   if ('points' in path) return path.points;
   const { to } = path.curve;

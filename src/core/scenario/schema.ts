@@ -50,6 +50,9 @@ const KEYS = [
 
 /**
  * A scenario with every default filled in and every constant a number (SI, radians).
+ *
+ * @param raw JSON as parsed
+ * @param systems metas by id
  * @throws ScenarioError with the path of the first offending key and what would be right
  */
 export function checkScenario(raw: unknown, systems: Metas): Scenario {
@@ -58,12 +61,23 @@ export function checkScenario(raw: unknown, systems: Metas): Scenario {
   return scenario!;
 }
 
-/** Every error by path; empty when the scenario can run. */
+/**
+ * Every error by path; empty when the scenario can run.
+ *
+ * @param raw JSON as parsed
+ * @param systems metas by id
+ */
 export function collectScenarioErrors(raw: unknown, systems: Metas): Map<string, string> {
   return check(raw, systems).errors;
 }
 
-/** Reads JSON text. @throws ScenarioError, also for a syntax error, with its line and column */
+/**
+ * Reads JSON text.
+ *
+ * @param text as written
+ * @param systems metas by id
+ * @throws ScenarioError, also for a syntax error, with its line and column
+ */
 export function parseScenario(text: string, systems: Metas): Scenario {
   if (text.length > LONGEST_FILE)
     throw new ScenarioError('', `${text.length} characters are more than a scenario's ${LONGEST_FILE}`);

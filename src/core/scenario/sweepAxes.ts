@@ -36,6 +36,11 @@ export interface SweepAxis {
 
 /**
  * `count` numbers from `from` to `to`, both included.
+ *
+ * @param from the first
+ * @param to the last
+ * @param count whole, 2 or more
+ * @param scale how they are spaced
  * @throws Error with words for a field
  */
 export function spaced(from: number, to: number, count: number, scale: 'linear' | 'logarithmic'): number[] {
@@ -50,7 +55,11 @@ export function spaced(from: number, to: number, count: number, scale: 'linear' 
   );
 }
 
-/** The scenario with this value of the axis. */
+/**
+ * The scenario with this value of the axis.
+ *
+ * @param file as written
+ */
 export function withAxisValue(file: ScenarioFile, { path }: SweepAxis, { value, method }: SweepValue): ScenarioFile {
   return method ? { ...file, method } : withValue(file, path, value);
 }
@@ -58,7 +67,9 @@ export function withAxisValue(file: ScenarioFile, { path }: SweepAxis, { value, 
 /**
  * The scenario with another value at a place.
  *
+ * @param file as written
  * @param path `initial.alpha`; several joined by `+` take the same value
+ * @param value number in SI, or text as a scenario has it
  */
 export function withValue<T extends object>(file: T, path: string, value: number | string): T {
   return path.split('+').reduce((next, part) => withLeaf(next, part.split('.'), value), file);
@@ -69,7 +80,13 @@ function withLeaf<T extends object>(node: T, [key, ...rest]: readonly string[], 
   return { ...node, [key!]: rest.length === 0 ? value : withLeaf((inner ?? {}) as object, rest, value) };
 }
 
-/** Everything in a scenario that a sweep may vary and that a run depends on, in the panel's order. */
+/**
+ * Everything in a scenario that a sweep may vary and that a run depends on, in the panel's order.
+ *
+ * @param meta of the system
+ * @param file as written
+ * @param checked the same, checked
+ */
 export function sweepPaths(meta: SystemMeta, file: ScenarioFile, checked: Scenario): SweepPath[] {
   return [
     ...parameterPaths(meta, checked),

@@ -8,6 +8,7 @@ const WHOLE = 2 * Math.PI * 0.99;
  * Angles that a run starts a whole turn or more from a regulator's point and that the regulator feeds back: it drives the
  * state round by that turn, although the attitude is the same.
  *
+ * @param meta of the system
  * @param q n coordinates at the start, rad and m
  * @param feedback of each input
  */

@@ -30,6 +30,9 @@ export interface ReduceOptions {
 /**
  * One run reduced to its measures; no row is kept.
  *
+ * @param checked the scenario, SI
+ * @param system that the study names
+ * @param measures what is taken of the run
  * @throws ScenarioError, StartError
  */
 export function reduceRun(

@@ -30,7 +30,10 @@ export interface StudyRow {
 /**
  * One run of the study. A scenario that is refused, or has no consistent start, is a row that says so.
  *
+ * @param study checked
  * @param index from 0
+ * @param system that the study names
+ * @param systems metas by id
  * @param feedbackOf designs the run's controller
  */
 export function runOne(
@@ -55,6 +58,10 @@ export function runOne(
 
 /**
  * Tells a measure of a column that no run has, before anything runs.
+ *
+ * @param study checked
+ * @param system that the study names
+ * @param systems metas by id
  * @throws ScenarioError
  */
 export function checkMeasures(study: Study, system: System, systems: Readonly<Record<string, SystemMeta>>): void {
@@ -73,7 +80,11 @@ export function checkMeasures(study: Study, system: System, systems: Readonly<Re
   });
 }
 
-/** Designs a controller once for runs that ask for the same one after another, as most of a study's do. */
+/**
+ * Designs a controller once for runs that ask for the same one after another, as most of a study's do.
+ *
+ * @param design makes the controller
+ */
 export function sharedFeedback<F>(
   design: (scenario: Scenario, system: System) => F,
 ): (s: Scenario, system: System) => F {

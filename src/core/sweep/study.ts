@@ -62,6 +62,7 @@ interface Axis {
 
 /**
  * @param raw the file's JSON; its own system, if it has one, is already learnt
+ * @param systems metas by id
  * @throws ScenarioError with the place of what is wrong
  */
 export function checkStudy(raw: unknown, systems: Readonly<Record<string, SystemMeta>>): Study {

@@ -30,6 +30,9 @@ function keep(id: string, own: Own): Own {
 
 /**
  * Reads a description; afterwards its system is known by the id.
+ *
+ * @param text of the description
+ * @param views what is known of systems, by id
  * @throws ScenarioError with the line and column of the first fault
  */
 export async function learn(text: string, views: Views): Promise<SystemView> {
@@ -55,18 +58,35 @@ function ownOf(id: string, views: Views): Promise<Own> | undefined {
   return text === undefined ? undefined : readAnew(text).then((again) => keep(id, known.get(id) ?? again));
 }
 
-/** Reads the description that a raw scenario holds, if it holds one, so that the scenario can be checked. @throws ScenarioError */
+/**
+ * Reads the description that a raw scenario holds, if it holds one, so that the scenario can be checked.
+ *
+ * @param raw JSON as parsed
+ * @param views what is known of systems, by id
+ * @throws ScenarioError
+ */
 export async function learnFrom(raw: unknown, views: Views): Promise<void> {
   const text = descriptionIn(raw);
   if (text !== null) await learn(text, views);
 }
 
-/** A system that has been learned, with its equations. @throws ScenarioError with the line of what makes it no system */
+/**
+ * A system that has been learned, with its equations.
+ *
+ * @param id of the system
+ * @param views what is known of systems, by id
+ * @throws ScenarioError with the line of what makes it no system
+ */
 export function loadOwn(id: string, views: Views): Promise<System> | undefined {
   return ownOf(id, views)?.then((own) => (own.system ??= derived(own)));
 }
 
-/** How a learned system is drawn, for parameters by name; undefined where there is none of that id. */
+/**
+ * How a learned system is drawn, for parameters by name; undefined where there is none of that id.
+ *
+ * @param id of the system
+ * @param views what is known of systems, by id
+ */
 export async function drawOwn(id: string, views: Views): Promise<((value: Value) => Sketch) | undefined> {
   const own = await ownOf(id, views);
   if (!own) return undefined;

@@ -62,7 +62,12 @@ export const learnSystem = (text: string): Promise<SystemView> => learn(text, sy
 /** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
 export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, systemViews);
 
-/** The same for the text of a scenario's file, whatever else is wrong with it. @throws ScenarioError */
+/**
+ * The same for the text of a scenario's file, whatever else is wrong with it.
+ *
+ * @param text of the file
+ * @throws ScenarioError
+ */
 export async function learnSystemIn(text: string): Promise<void> {
   if (text.length > LONGEST_FILE || !text.includes('"description"')) return;
   let raw: unknown;

@@ -24,7 +24,12 @@ export interface Stopping {
   settled?: number;
 }
 
-/** @param n of the matrices @returns null where it does not converge */
+/**
+ * @param algebra operations on n x n matrices
+ * @param n of the matrices
+ * @returns null where it does not converge
+ * @param first A_0, G_0 and H_0, each n x n
+ */
 export function doubled<M>(
   algebra: Algebra<M>,
   n: number,

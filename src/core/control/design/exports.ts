@@ -37,7 +37,11 @@ export function designJson({ system, states, inputs, A, B, Q, R, K }: Design): s
   return `{\n${lines.join(',\n')}\n}\n`;
 }
 
-/** One entry a line, by name: `matrix,row,column,value`. */
+/**
+ * One entry a line, by name: `matrix,row,column,value`.
+ *
+ * @param design matrices with the names of their rows and columns, SI
+ */
 export function designCsv(design: Design): string {
   const lines = matricesOf(design).flatMap(({ name, rows, columns, entries }) =>
     entries.flatMap((row, i) => row.map((x, k) => `${name},${rows[i]!},${columns[k]!},${digits(x)}`)),
@@ -45,6 +49,11 @@ export function designCsv(design: Design): string {
   return `matrix,row,column,value\n${lines.join('\n')}\n`;
 }
 
+/**
+ * The design as a MATLAB script.
+ *
+ * @param design matrices with the names of their rows and columns, SI
+ */
 export function designMatlab(design: Design): string {
   const list = (names: readonly string[]): string => `{${names.map((n) => `'${n}'`).join(', ')}}`;
   const matrices = matricesOf(design).map(({ name, entries, diagonal }) =>
@@ -61,6 +70,11 @@ export function designMatlab(design: Design): string {
   ].join('\n');
 }
 
+/**
+ * The design as a NumPy script.
+ *
+ * @param design matrices with the names of their rows and columns, SI
+ */
 export function designNumpy(design: Design): string {
   const list = (names: readonly string[]): string => `[${names.map((n) => `"${n}"`).join(', ')}]`;
   const matrices = matricesOf(design).map(({ name, entries, diagonal }) =>
@@ -106,7 +120,11 @@ function diagonalMatrix(diagonal: readonly number[]): number[][] {
   return diagonal.map((x, i) => diagonal.map((_, k) => (i === k ? x : 0)));
 }
 
-/** Whole numbers plainly, others with 17 significant digits. */
+/**
+ * Whole numbers plainly, others with 17 significant digits.
+ *
+ * @param x any finite number
+ */
 export function digits(x: number): string {
   return Number.isInteger(x) && Math.abs(x) < 1e15 ? (Object.is(x, -0) ? '-0' : String(x)) : x.toPrecision(17);
 }

@@ -69,7 +69,13 @@ export class StateFeedback implements Feedback {
   }
 }
 
-/** The scenario's lqr, by input; null where it has none. @throws ScenarioError where there is no such design */
+/**
+ * The scenario's lqr, by input; null where it has none.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @throws ScenarioError where there is no such design
+ */
 export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
   if (scenario.control?.type !== 'lqr') return null;
   if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);

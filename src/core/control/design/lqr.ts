@@ -72,6 +72,11 @@ export interface ReachablePlant {
   readonly byInput: InputReach[];
 }
 
+/**
+ * What a regulator is designed for: the motion that constraints allow, split by what the inputs reach.
+ *
+ * @param linearization about a steady motion
+ */
 export function reachablePlant(linearization: Linearization): ReachablePlant {
   const { basis, tangentA, tangentB, states, inputs, inputSizes } = linearization;
   const split = splitByReachability(
@@ -91,6 +96,7 @@ export function reachablePlant(linearization: Linearization): ReachablePlant {
  * Symbols: N tangent basis; V, Vp reachable directions and their complement; W = V^T - S Vp^T, which leaves out modes
  * that no input reaches; U, Up the unseen modes on the imaginary axis and their complement. `u = -K_q Up^T W N^T x`.
  *
+ * @param weights diagonals: Q by state (2n), R by input (k)
  * @throws ControlError naming an unstable mode that no input reaches, or where the Riccati equation has no
  * stabilizing solution
  */
@@ -194,6 +200,11 @@ export interface Decay {
   timeConstant: number | null;
 }
 
+/**
+ * Frequency, damping and time constant of each eigenvalue.
+ *
+ * @param values eigenvalues, 1/s
+ */
 export function decays(values: readonly Complex[]): Decay[] {
   return values.map((eigenvalue) => {
     const frequency = modulus(eigenvalue);

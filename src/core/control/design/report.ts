@@ -58,6 +58,9 @@ export interface OrdersReport {
 
 /**
  * Everything about a scenario's operating point and, where it has one, its lqr.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
  * @throws ScenarioError where the point is no steady motion or the design can't be had
  */
 export function controlReport(scenario: Scenario, system: System): ControlReport {

@@ -50,6 +50,9 @@ const CONVERGED = 1e-15;
 const ACCEPTED = 1e-10;
 
 /**
+ * @param A n x n
+ * @param B n x k
+ * @param Q n x n, symmetric, positive semidefinite
  * @param R diagonal of the input weights, all positive
  * @param C with Q = C^T C, where it is known and every mode of A on the axis is seen by it: small weights beside large
  * ones survive in C, not in Q
@@ -129,7 +132,14 @@ function whitening(X: Matrix): { T: Matrix; inverseT: Matrix } {
   return { T: E.mmul(Matrix.diag(roots.map((r) => 1 / r))), inverseT: Matrix.diag(roots).mmul(E.transpose()) };
 }
 
-/** |A^T X + X A - X F F^T X + Q| as a share of its terms, F = B R^-1/2. */
+/**
+ * |A^T X + X A - X F F^T X + Q| as a share of its terms, F = B R^-1/2.
+ *
+ * @param A n x n
+ * @param F n x k
+ * @param Q n x n, symmetric
+ * @param X n x n, the solution
+ */
 export function careResidual(A: Matrix, F: Matrix, Q: Matrix, X: Matrix): number {
   return relativeRemainder(A.transpose().mmul(X), F.transpose().mmul(X), Q);
 }

@@ -16,8 +16,14 @@ import {
 import { heldDesign, sampledLqr, type SampledDesign, type Timing } from '../sampled/sampledLqr.ts';
 import type { Plant, SteadyMotion } from '../linearization/steadyMotion.ts';
 
-/** What a scenario says about its plant, its operating point and its controller, as the control code takes it. */
+// What a scenario says about its plant, its operating point and its controller, as the control code takes it.
 
+/**
+ * The scenario's system with its parameters and constraint set.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ */
 export function plantOf(scenario: Scenario, system: System): Plant {
   const { meta } = system;
   return {
@@ -30,13 +36,22 @@ export function plantOf(scenario: Scenario, system: System): Plant {
 
 /**
  * The steady motion at `control.at`, or at `at` without an lqr.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
  * @throws ScenarioError with the path of the point that is none
  */
 export function operatingPoint(scenario: Scenario, system: System): SteadyMotion {
   return preparedOf(scenario, system).motion;
 }
 
-/** The plant at that point, with the inputs that a linearization is for. @throws ScenarioError as `operatingPoint` */
+/**
+ * The plant at that point, with the inputs that a linearization is for.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @throws ScenarioError as `operatingPoint`
+ */
 export function preparedOf(scenario: Scenario, system: System): PreparedPlant {
   const { control } = scenario;
   const [path, at] = control?.type === 'lqr' ? ['control.at', control.at ?? {}] : ['at', scenario.at];
@@ -48,7 +63,12 @@ export function preparedOf(scenario: Scenario, system: System): PreparedPlant {
   );
 }
 
-/** The inputs that a linearization is for: the controller's, or all that the system names. */
+/**
+ * The inputs that a linearization is for: the controller's, or all that the system names.
+ *
+ * @param scenario checked, SI
+ * @param meta of the system
+ */
 export function linearizedInputs(scenario: Scenario, meta: SystemMeta): InputMeta[] {
   const { control } = scenario;
   if (control?.type !== 'lqr') return [...meta.inputs];
@@ -56,7 +76,12 @@ export function linearizedInputs(scenario: Scenario, meta: SystemMeta): InputMet
   return control.inputs.map((name) => all.find((input) => input.name === name)!);
 }
 
-/** Q is the identity if none is given, and 0 for unnamed states if some are; R is 1 where it is not given. */
+/**
+ * Q is the identity if none is given, and 0 for unnamed states if some are; R is 1 where it is not given.
+ *
+ * @param control the scenario's own
+ * @param meta of the system
+ */
 export function weightsOf(control: LqrControl, meta: SystemMeta): Weights {
   const names = meta.coordinates.map((c) => c.name);
   const states = [...names, ...names.map((name) => `${name}_dot`)];
@@ -67,7 +92,11 @@ export function weightsOf(control: LqrControl, meta: SystemMeta): Weights {
   };
 }
 
-/** @throws ScenarioError at `control.at` for a point that is no steady motion, at `control` for a design that can't be had */
+/**
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @throws ScenarioError at `control.at` for a point that is no steady motion, at `control` for a design that can't be had
+ */
 export function lqrOf(scenario: Scenario, system: System): LqrDesign {
   const { control } = scenario;
   if (control?.type !== 'lqr') throw new ScenarioError('control', 'must be of type "lqr"');
@@ -78,6 +107,8 @@ export function lqrOf(scenario: Scenario, system: System): LqrDesign {
 /**
  * A scenario's regulator as its computer runs it; null where it has no `control.sample`, or holds the continuous gain with
  * more inputs on their way than a matrix is to be made of.
+ *
+ * @param design the continuous lqr
  * @throws ScenarioError at `control` where there is no sampled design
  */
 export function sampledDesignOf({ control }: Scenario, design: LqrDesign): SampledDesign | null {

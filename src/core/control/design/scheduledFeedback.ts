@@ -95,6 +95,10 @@ export class ScheduledFeedback implements Feedback {
 
 /**
  * An lqr with a schedule, by input.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param control with a schedule
  * @throws ScenarioError where one of its speeds has no design, or the gain asks how far along the motion is
  */
 export function scheduledFeedbackOf(scenario: Scenario, system: System, control: LqrControl): Map<string, Feedback> {

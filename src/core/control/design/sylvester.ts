@@ -13,7 +13,13 @@ import { luFactor, luSolve } from '../../linalg/lu.ts';
  */
 const COMMON = 1e-11;
 
-/** X (r x s) of least norm that minimizes |A X - X B - C| (Frobenius); A is r x r, B s x s. */
+/**
+ * X (r x s) of least norm that minimizes |A X - X B - C| (Frobenius); A is r x r, B s x s.
+ *
+ * @param A r x r
+ * @param B s x s
+ * @param C r x s
+ */
 export function sylvesterLeastSquares(A: Matrix, B: Matrix, C: Matrix): Matrix {
   const [r, s] = [A.rows, B.rows];
   if (r === 0 || s === 0) return new Matrix(r, s);
@@ -22,6 +28,10 @@ export function sylvesterLeastSquares(A: Matrix, B: Matrix, C: Matrix): Matrix {
 
 /**
  * The same with X D = E besides: X (r x s) of least norm that minimizes |A X - X B - C|² + |X D - E|².
+ *
+ * @param A r x r
+ * @param B s x s
+ * @param C r x s
  * @param D s x t
  * @param E r x t
  */
@@ -57,7 +67,12 @@ function leastNorm(K: Matrix, right: readonly number[]): number[] {
   return V.mmul(c).to1DArray();
 }
 
-/** Symmetric X with A^T X + X A = -C, C symmetric, n x n; null where A and -A share an eigenvalue. */
+/**
+ * Symmetric X with A^T X + X A = -C, C symmetric, n x n; null where A and -A share an eigenvalue.
+ *
+ * @param A n x n
+ * @param C n x n, symmetric
+ */
 export function lyapunov(A: Matrix, C: Matrix): Matrix | null {
   const n = A.rows;
   const place = (i: number, j: number): number => (i >= j ? (i * (i + 1)) / 2 + j : (j * (j + 1)) / 2 + i);

@@ -9,6 +9,7 @@ import { ON_AXIS, plainEigenvalues, splitZeros } from './spectrum.ts';
  * projector is taken from two matrix signs, (sign(A + delta) - sign(A - delta)) / 2 (N. J. Higham, Functions of
  * Matrices, SIAM 2008, chapter 5).
  *
+ * @param A d x d
  * @param scale norm of the matrix that A was cut out of
  */
 export function axisSubspace(A: Matrix, scale: number): Matrix {

@@ -43,7 +43,12 @@ interface Pieces {
   inputs: Matrix;
 }
 
-/** Order (a): the multipliers are eliminated, then the accelerations are differentiated. */
+/**
+ * Order (a): the multipliers are eliminated, then the accelerations are differentiated.
+ *
+ * @param motion where it is linearized
+ * @param inputs the inputs, k
+ */
 export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
   if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const { dynamics: d, q, v } = motion;
@@ -62,14 +67,24 @@ export function linearize(motion: SteadyMotion, inputs: readonly InputMeta[]): L
   return restricted(motion, inputs, fromRowMajor(data, 2 * n, 2 * n), B, pieces);
 }
 
-/** Order (b): the equations with multipliers are differentiated, the force's d(Omega^T lambda0)/dq kept, then eliminated. */
+/**
+ * Order (b): the equations with multipliers are differentiated, the force's d(Omega^T lambda0)/dq kept, then eliminated.
+ *
+ * @param motion where it is linearized
+ * @param inputs the inputs, k
+ */
 export function linearizeWithMultipliers(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
   if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
   return eliminated(motion, inputs, { ...p, stiffness: Matrix.sub(p.stiffness, p.forceQ) });
 }
 
-/** Order (c), Yang's commutation: Omega is frozen at its value, so neither the force's derivative nor C is there. */
+/**
+ * Order (c), Yang's commutation: Omega is frozen at its value, so neither the force's derivative nor C is there.
+ *
+ * @param motion where it is linearized
+ * @param inputs the inputs, k
+ */
 export function linearizeFrozen(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
   if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
@@ -99,6 +114,12 @@ export interface OrderComparison {
   frozenDifference: number;
 }
 
+/**
+ * The three orders of linearizing and eliminating, side by side.
+ *
+ * @param motion where it is linearized
+ * @param inputs the inputs, k
+ */
 export function compareOrders(motion: SteadyMotion, inputs: readonly InputMeta[]): OrderComparison {
   const a = linearize(motion, inputs);
   const b = linearizeWithMultipliers(motion, inputs);

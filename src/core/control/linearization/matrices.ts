@@ -11,27 +11,53 @@ export class ControlError extends Error {
   override name = 'ControlError';
 }
 
-/** A row-major array as a matrix. */
+/**
+ * A row-major array as a matrix.
+ *
+ * @param data rows x columns entries
+ * @param rows how many
+ * @param columns how many
+ */
 export function fromRowMajor(data: Float64Array, rows: number, columns: number): Matrix {
   const A = new Matrix(rows, columns);
   for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) A.set(r, c, data[r * columns + c]!);
   return A;
 }
 
+/**
+ * A matrix as a row-major array.
+ *
+ * @param A any size
+ */
 export function toRowMajor(A: Matrix): Float64Array {
   return Float64Array.from(A.to1DArray());
 }
 
-/** Frobenius norm; 0 of an empty matrix. */
+/**
+ * Frobenius norm; 0 of an empty matrix.
+ *
+ * @param A any size
+ */
 export function norm(A: Matrix): number {
   return A.isEmpty() ? 0 : A.norm('frobenius');
 }
 
+/**
+ * Largest absolute difference of two entries.
+ *
+ * @param A any size
+ * @param B the size of A
+ */
 export function maxDifference(A: Matrix, B: Matrix): number {
   return A.isEmpty() ? 0 : Matrix.sub(A, B).abs().max();
 }
 
-/** Columns side by side; either may be empty. */
+/**
+ * Columns side by side; either may be empty.
+ *
+ * @param A any size
+ * @param B as many rows as A
+ */
 export function besides(A: Matrix, B: Matrix): Matrix {
   const C = new Matrix(A.rows, A.columns + B.columns);
   if (A.columns > 0) C.setSubMatrix(A, 0, 0);
@@ -39,7 +65,11 @@ export function besides(A: Matrix, B: Matrix): Matrix {
   return C;
 }
 
-/** A stack of row blocks. */
+/**
+ * A stack of row blocks.
+ *
+ * @param blocks each with as many columns
+ */
 export function stacked(blocks: readonly Matrix[]): Matrix {
   const C = new Matrix(
     blocks.reduce((sum, b) => sum + b.rows, 0),
@@ -53,6 +83,13 @@ export function stacked(blocks: readonly Matrix[]): Matrix {
   return C;
 }
 
+/**
+ * Some columns of a matrix, those from `from` up to and without `to`.
+ *
+ * @param A any size
+ * @param from first column
+ * @param to behind the last column
+ */
 export function columnsOf(A: Matrix, from: number, to: number): Matrix {
   return to > from && A.rows > 0
     ? A.subMatrix(0, A.rows - 1, from, to - 1)
@@ -103,6 +140,8 @@ export function rankByGap(values: readonly number[], scale: number, strength = 1
 
 /**
  * Column space by singular values (Golub and Van Loan, Matrix Computations, 4th ed., section 5.4).
+ *
+ * @param A any size
  * @param count how many count, of all (the largest first); a number: those above it
  */
 export function columnSpace(A: Matrix, count: number | ((values: readonly number[]) => number)): ColumnSpace {
@@ -124,7 +163,12 @@ export function columnSpace(A: Matrix, count: number | ((values: readonly number
   };
 }
 
-/** Solves A X = B by LU with partial pivoting; null where A is singular. */
+/**
+ * Solves A X = B by LU with partial pivoting; null where A is singular.
+ *
+ * @param A n x n
+ * @param B n x k
+ */
 export function solveLinear(A: Matrix, B: Matrix): Matrix | null {
   const n = A.rows;
   if (n === 0) return B.clone();
@@ -141,12 +185,21 @@ export function solveLinear(A: Matrix, B: Matrix): Matrix | null {
   return X;
 }
 
-/** (A + A^T) / 2. */
+/**
+ * (A + A^T) / 2.
+ *
+ * @param A n x n
+ */
 export function symmetricPart(A: Matrix): Matrix {
   return Matrix.add(A, A.transpose()).mul(0.5);
 }
 
-/** Product of several matrices, left to right. */
+/**
+ * Product of several matrices, left to right.
+ *
+ * @param first the leftmost
+ * @param others each with as many rows as the one before has columns
+ */
 export function product(first: Matrix, ...others: Matrix[]): Matrix {
   return others.reduce((left, right) => left.mmul(right), first);
 }

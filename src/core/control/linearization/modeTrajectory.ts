@@ -25,7 +25,11 @@ const CONSTANTS = 4;
 const NEUTRAL = 2;
 const ROWS = 480;
 
-/** How long a mode is shown, s. `growth` false: as if its real part were 0, which only an oscillation can do. */
+/**
+ * How long a mode is shown, s. `growth` false: as if its real part were 0, which only an oscillation can do.
+ *
+ * @param growth false: as if the real part were 0
+ */
 export function modeDuration([re, im]: Complex, growth = true): number {
   const periods = im === 0 ? Infinity : (PERIODS * 2 * Math.PI) / Math.abs(im);
   const constants = re === 0 || (!growth && im !== 0) ? Infinity : CONSTANTS / Math.abs(re);
@@ -37,6 +41,8 @@ export function modeDuration([re, im]: Complex, growth = true): number {
  * The steady motion plus `a exp(sigma t) (re cos(omega t) - im sin(omega t))`, as rows of t, coordinates and rates over
  * `modeDuration`; `a` so that the largest angle or length is the one above. A zero eigenvalue goes by the finite series
  * of its chain, `sum of (A t)^j / j!`.
+ *
+ * @param mode eigenvalue, 1/s, shape and steady motion
  * @param growth false: without `exp(sigma t)`, the shape of an oscillation alone
  */
 export function modeTrajectory(mode: ShownMode, growth = true): Trajectory {

@@ -56,6 +56,10 @@ const kept = new WeakMap<System, Map<string, PreparedPlant>>();
 
 /**
  * The plant of a scenario at a point, linearized for some inputs; the same object as long as nothing of it changes.
+ *
+ * @param plant system, parameters (SI), constraint set and what is held
+ * @param at coordinates and rates by name, SI
+ * @param inputs the inputs, k
  * @param path of the point in the scenario, for the refusal
  * @throws ScenarioError where the point is no steady motion
  */
@@ -88,7 +92,12 @@ export function preparedPlant(
   return found;
 }
 
-/** Says where in the scenario a refusal belongs. */
+/**
+ * Says where in the scenario a refusal belongs.
+ *
+ * @param path of the point in the scenario
+ * @param make what may refuse
+ */
 export function located<T>(path: string, make: () => T): T {
   try {
     return make();

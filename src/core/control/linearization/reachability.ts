@@ -26,6 +26,8 @@ export interface Reachability {
  * 130-138) in the form of a block Arnoldi process. Only orthogonal bases are multiplied, never powers of A; a rank is
  * decided at each stage by singular values. The size of an input's unit does not matter: columns of B are normalized.
  *
+ * @param A d x d
+ * @param B d x k
  * @param sizes what each column of B would be if nothing cancelled in it (its own size if left out): a column that is
  * rounding beside that does nothing
  * @param before strength of what A itself was cut out by, 1 for a matrix as it was computed
@@ -163,6 +165,8 @@ export interface ReachableSplit extends Reachability {
 }
 
 /**
+ * @param A d x d
+ * @param B d x k
  * @param sizes of B's columns, as in `reachableSubspace`
  * @param basis of the tangent space that A and B are in, or the plant in balanced coordinates: with either, ranks are
  * decided in those
@@ -201,7 +205,13 @@ export function splitByReachability(
   };
 }
 
-/** Modes that no input reaches, by what moves in them. `toStates`: states x d. */
+/**
+ * Modes that no input reaches, by what moves in them. `toStates`: states x d.
+ *
+ * @param split of the plant
+ * @param toStates states x d
+ * @param states names
+ */
 export function unreachableModes(split: ReachableSplit, toStates: Matrix, states: readonly string[]): Mode[] {
   const shapes = Matrix.add(split.complement, split.reachable.mmul(split.S));
   return modesOf(split.unreachableA, toStates.mmul(shapes), states, split.scale);
@@ -217,7 +227,14 @@ export interface InputReach {
   margin: { kept: number; dropped: number };
 }
 
-/** Which inputs reach which modes, each input alone. */
+/**
+ * Which inputs reach which modes, each input alone.
+ *
+ * @param A d x d
+ * @param B d x k
+ * @param inputs names of B's columns
+ * @param sizes of B's columns, as in `reachableSubspace`
+ */
 export function reachByInput(A: Matrix, B: Matrix, inputs: readonly string[], sizes?: readonly number[]): InputReach[] {
   const all = eigenvalues(A);
   return inputs.map((input, k) => {
@@ -241,6 +258,11 @@ function without(all: readonly Complex[], others: readonly Complex[]): Complex[]
 /**
  * Orthonormal basis of what never shows in `C x` of `x' = A x` (the dual of reachability), and of its orthogonal
  * complement. `sizes` of the rows of C as those of B's columns.
+ *
+ * @param A d x d
+ * @param C p x d
+ * @param sizes of C's rows
+ * @param before as for `reachableSubspace`
  */
 export function unobservableSubspace(
   A: Matrix,

@@ -28,6 +28,7 @@ export interface ZeroSplit {
  * Math. and Math. Physics 6 (1966), with singular values for the ranks. A computed multiple zero scatters by the
  * square root of rounding (or worse); its null space does not.
  *
+ * @param A d x d
  * @param scale norm of the matrix that A was cut out of: its rounding is what A's entries carry
  */
 export function splitZeros(A: Matrix, scale = norm(A)): ZeroSplit {
@@ -50,6 +51,9 @@ export function splitZeros(A: Matrix, scale = norm(A)): ZeroSplit {
 /**
  * Eigenvalues, sorted by real part, then imaginary part: zeros are exact, and so is the real part 0 of an undamped
  * oscillation (to rounding of A). `scale` as in `splitZeros`.
+ *
+ * @param A d x d
+ * @param scale as in `splitZeros`
  */
 export function eigenvalues(A: Matrix, scale = norm(A)): Complex[] {
   if (A.rows === 0) return [];
@@ -62,13 +66,23 @@ function undamped([re, im]: Complex, scale: number): Complex {
   return [im !== 0 && Math.abs(re) <= ROUNDING * scale ? 0 : re, im];
 }
 
-/** Eigenvalues as computed (Hessenberg form and shifted QR). */
+/**
+ * Eigenvalues as computed (Hessenberg form and shifted QR).
+ *
+ * @param A d x d
+ */
 export function plainEigenvalues(A: Matrix): Complex[] {
   if (A.rows === 0) return [];
   const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(A);
   return realEigenvalues.map((re, i): Complex => [re, imaginaryEigenvalues[i]!]);
 }
 
+/**
+ * Order by real part, then by imaginary part.
+ *
+ * @param a 1/s
+ * @param b 1/s
+ */
 export function byParts(a: Complex, b: Complex): number {
   return a[0] - b[0] || a[1] - b[1];
 }
@@ -77,6 +91,12 @@ export function modulus([re, im]: Complex): number {
   return Math.hypot(re, im);
 }
 
+/**
+ * Absolute value of the difference.
+ *
+ * @param a 1/s
+ * @param b 1/s
+ */
 export function distance(a: Complex, b: Complex): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
@@ -101,8 +121,10 @@ const VISIBLE = 0.01;
 
 /**
  * Modes of A by name.
+ *
  * @param A d x d
  * @param toStates states x d: what a vector of A's coordinates is in states (coordinates, then velocities)
+ * @param states names
  * @param scale as in `splitZeros`
  */
 export function modesOf(A: Matrix, toStates: Matrix, states: readonly string[], scale = norm(A)): Mode[] {

@@ -45,6 +45,8 @@ const AHEAD = [0.6180339887, 1.9021130326];
 /**
  * The steady motion at the point that `at` names; what it leaves open comes from rest and the consistent start.
  *
+ * @param plant system, parameters (SI), constraint set and what is held
+ * @param at coordinates and rates by name, SI
  * @throws StartError where the point can't meet the constraints, ControlError where it is no steady motion
  */
 export function steadyMotionAt(plant: Plant, at: Readonly<Record<string, number>>): SteadyMotion {

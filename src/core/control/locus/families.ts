@@ -17,7 +17,11 @@ export interface OneOpen {
   varied: Varied;
 }
 
-/** The plant and the point with that number set. */
+/**
+ * The plant and the point with that number set.
+ *
+ * @param value of the number that varies, SI
+ */
 export function setTo({ plant, at, varied }: OneOpen, value: number): { plant: Plant; at: Record<string, number> } {
   if (varied.kind === 'at') return { plant, at: { ...at, [varied.name]: value } };
   const index = plant.system.meta.parameters.findIndex((p) => p.name === varied.name);
@@ -27,7 +31,11 @@ export function setTo({ plant, at, varied }: OneOpen, value: number): { plant: P
   return { plant: { ...plant, parameters }, at: { ...at } };
 }
 
-/** For `rootLocus`: the open loop on the tangent space, d x d; null where there is no steady motion. */
+/**
+ * For `rootLocus`: the open loop on the tangent space, d x d; null where there is no steady motion.
+ *
+ * @param open the loop and which number varies
+ */
 export function openLoopFamily(open: OneOpen): Family {
   return (value) => {
     const { plant, at } = setTo(open, value);
@@ -35,7 +43,13 @@ export function openLoopFamily(open: OneOpen): Family {
   };
 }
 
-/** For `rootLocus`: the closed loop N^T (A - B K) N with one fixed gain K (k x 2n), as the plant varies under it. */
+/**
+ * For `rootLocus`: the closed loop N^T (A - B K) N with one fixed gain K (k x 2n), as the plant varies under it.
+ *
+ * @param open the loop and which number varies
+ * @param inputs the inputs, k
+ * @param gain K, k x 2n
+ */
 export function closedLoopFamily(open: OneOpen, inputs: readonly InputMeta[], gain: Matrix): Family {
   return (value) => {
     const { plant, at } = setTo(open, value);
@@ -46,7 +60,14 @@ export function closedLoopFamily(open: OneOpen, inputs: readonly InputMeta[], ga
   };
 }
 
-/** The design at each value; @throws ControlError, StartError where there is none. */
+/**
+ * The design at each value.
+ *
+ * @param open the loop and which number varies
+ * @param inputs the inputs, k
+ * @param weights diagonals: Q by state (2n), R by input (k)
+ * @throws ControlError, StartError where there is none
+ */
 export function designFamily(
   open: OneOpen,
   inputs: readonly InputMeta[],

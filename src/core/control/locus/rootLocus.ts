@@ -39,6 +39,9 @@ const NEUTRAL = 1e-10;
  * Branches of eigenvalues over `values` (ascending), refined where they move fast, and the critical values between
  * them. Values where the family has no matrix are left out. Not guaranteed: a real part that crosses zero and comes
  * back between two neighbouring values is not seen; a branch may change its mode where two come very close.
+ *
+ * @param family the matrix by value
+ * @param values ascending
  */
 export function rootLocus(family: Family, values: readonly number[]): RootLocus {
   const samples: Sample[] = [];
@@ -137,6 +140,9 @@ function track(spectra: readonly Complex[][]): Complex[][] {
 /**
  * The assignment of least total distance (H. W. Kuhn, "The Hungarian method for the assignment problem", Naval Research
  * Logistics Quarterly 2 (1955), 83-97), by shortest augmenting paths: entry i of the result is where `from[i]` goes.
+ *
+ * @param from as many as `to`
+ * @param to as many as `from`
  */
 export function assign(from: readonly Complex[], to: readonly Complex[]): number[] {
   const n = from.length;

@@ -48,6 +48,9 @@ export const MOST_VALUES = 2000;
 /**
  * Eigenvalues of a scenario's linearization against one of its numbers.
  *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param request which number varies, and its range
  * @param progress is told the share of the range that is done
  * @throws ScenarioError where the range is none, or there is no steady motion in it, or no gain to keep
  */

@@ -16,6 +16,11 @@ export interface PathCurve {
   readonly bends: readonly [number, number];
 }
 
+/**
+ * The curve of a scenario's path.
+ *
+ * @param path as the scenario has it, m
+ */
 export function pathCurve(path: PathOptions): PathCurve {
   if ('line' in path) return line(path.line);
   if ('circle' in path) return circle(path.circle);

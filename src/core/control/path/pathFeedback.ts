@@ -26,7 +26,13 @@ export interface TurnDesign {
   design: LqrDesign;
 }
 
-/** @throws ScenarioError at `control.path` where there is no such turn or regulator */
+/**
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param control the scenario's own
+ * @param curvature of the turn, 1/m
+ * @throws ScenarioError at `control.path` where there is no such turn or regulator
+ */
 export function turnDesign(scenario: Scenario, system: System, control: LqrControl, curvature: number): TurnDesign {
   const inputs = control.inputs.map((name) => inputsOf(system.meta).find((input) => input.name === name)!);
   return located('control.path', () => {
@@ -51,6 +57,14 @@ function rowsOf({ turn, design }: TurnDesign, control: LqrControl): Matrix {
   );
 }
 
+/**
+ * An lqr that follows a path, by input.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param control with a path
+ * @throws ScenarioError as `turnDesign`
+ */
 export function pathFeedbackOf(scenario: Scenario, system: System, control: LqrControl): Map<string, Feedback> {
   const curve = pathCurve(control.path!);
   const [least, most] = curve.bends;

@@ -33,7 +33,10 @@ export interface Plane {
   heading: number;
 }
 
-/** @throws ControlError for a system that goes nowhere */
+/**
+ * @param meta of the system
+ * @throws ControlError for a system that goes nowhere
+ */
 export function planeOf(meta: SystemMeta): Plane {
   const forward = meta.forward ?? meta.speed;
   if (!forward) throw new ControlError(`${meta.id} has no heading to turn`);
@@ -53,7 +56,11 @@ const STRIDE = 0.25;
 
 /**
  * The steady turn nearest to going straight on: the one of least norm, followed from curvature 0.
+ *
+ * @param plant system, parameters (SI), constraint set and what is held
  * @param at the straight motion, as `steadyMotionAt` takes it: along x
+ * @param curvature of the turn, 1/m
+ * @param inputs the inputs, k
  * @throws ControlError where there is none
  */
 export function steadyTurn(

@@ -22,7 +22,15 @@ export interface TurnMap {
 export const TURN_RADII = [0.5, 0.7, 1, 1.5, 2, 3, 5, 10] as const;
 export const TURN_SPEEDS = [0.5, 0.75, 1, 1.5, 2, 3, 4] as const;
 
-/** Turns to the left; those to the right are their mirror images. @param tell share done */
+/**
+ * Turns to the left; those to the right are their mirror images.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @param tell share done
+ * @param radii m
+ * @param speeds m/s
+ */
 export function turnMap(
   scenario: Scenario,
   system: System,

@@ -64,7 +64,11 @@ export interface ComputerReport {
   controller: ControllerProgram | null;
 }
 
-/** @throws ScenarioError where the design can't be had */
+/**
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @throws ScenarioError where the design can't be had
+ */
 export function computerReport(scenario: Scenario, system: System): ComputerReport {
   if (scenario.control?.type !== 'lqr') return { margins: null, sampled: null, estimator: null, controller: null };
   const design = lqrOf(scenario, system);

@@ -27,7 +27,14 @@ const MOST_DOUBLINGS = 60;
 const CONVERGED = 1e-15;
 const ACCEPTED = 1e-9;
 
-/** @throws ControlError where there is no stabilizing solution that can be computed */
+/**
+ * @param A n x n
+ * @param B n x k
+ * @param Q n x n, symmetric
+ * @param R k x k, symmetric
+ * @param N n x k, cost of state by input
+ * @throws ControlError where there is no stabilizing solution that can be computed
+ */
 export function solveDare(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, N = new Matrix(A.rows, B.columns)): DareSolution {
   const n = A.rows;
   if (n === 0)

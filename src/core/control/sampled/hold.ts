@@ -24,6 +24,9 @@ export function held(A: Matrix, B: Matrix, h: number): SampledPlant {
 
 /**
  * `x' = A x + B u` driven through first-order lags, `w' = (u - w) / lag`: the state is then (x, those w whose lag is above 0).
+ *
+ * @param A n x n
+ * @param B n x k
  * @param lags by input, s
  */
 export function lagged(A: Matrix, B: Matrix, lags: readonly number[]): SampledPlant {
@@ -68,6 +71,12 @@ export interface Memory {
 /** A delay that is a whole number of samples but for its last digits (0.015 at 0.005) is that. */
 const WHOLE = 1e-9;
 
+/**
+ * What a computer has to remember for its delay.
+ *
+ * @param h sample time, s
+ * @param delay s
+ */
 export function memoryOf(h: number, delay: number): Memory {
   const samples = delay / h;
   const nearest = Math.round(samples);
@@ -86,6 +95,11 @@ export function memoryOf(h: number, delay: number): Memory {
 /**
  * The same with the input acting `delay` seconds after the measurement: the state is then (x, u_{k-1}, ..., u_{k-m}),
  * newest first, m = ceil(delay / h).
+ *
+ * @param A n x n
+ * @param B n x k
+ * @param h sample time, s
+ * @param delay s
  */
 export function heldWithDelay(A: Matrix, B: Matrix, h: number, delay: number): SampledPlant & { memory: Memory } {
   const [n, k] = [A.rows, B.columns];
@@ -120,6 +134,13 @@ function inputOf(age: number, n: number, k: number, size: number): Matrix {
 /**
  * The cost of `sampledCost` with a delay, on the state with its memory. What is asked acts for one sample, sooner or
  * later: so `h u^T R u` is counted where it is asked, and only the cost of x where inputs act.
+ *
+ * @param A n x n
+ * @param B n x k
+ * @param Q n x n, cost of the state
+ * @param R k x k, cost of the inputs
+ * @param h sample time, s
+ * @param delay s
  */
 export function delayedCost(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, h: number, delay: number): SampledCost {
   const [n, k] = [A.rows, B.columns];
@@ -149,7 +170,10 @@ export interface SampledCost {
 }
 
 /**
- * @param Q n x n @param R k x k
+ * @param A n x n
+ * @param B n x k
+ * @param Q n x n
+ * @param R k x k
  * @param h s
  */
 export function sampledCost(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, h: number): SampledCost {

@@ -40,7 +40,9 @@ export interface ObservedPlant {
 }
 
 /**
+ * @param linearization about a steady motion
  * @param C rows of the sensors by all states, p x 2n
+ * @param sensors names of C's rows
  * @throws ControlError naming an unstable mode that no sensor sees
  */
 export function observedPlant(linearization: Linearization, C: Matrix, sensors: readonly string[]): ObservedPlant {
@@ -112,8 +114,9 @@ export function continuousKalman(
 }
 
 /**
- * @param h sample time, s
+ * @param intensities of the process noise, by state (2n)
  * @param deviations of the sensors' noise per sample
+ * @param h sample time, s
  */
 export function sampledKalman(
   { A, C, fromStates }: ObservedPlant,
@@ -137,7 +140,13 @@ export function sampledKalman(
   }
 }
 
-/** P C^T (C P C^T + R)^-1: what a measurement corrects of an estimate whose error has the covariance P. */
+/**
+ * P C^T (C P C^T + R)^-1: what a measurement corrects of an estimate whose error has the covariance P.
+ *
+ * @param P d x d, symmetric
+ * @param C p x d
+ * @param R p x p, symmetric, the noise of the sensors
+ */
 export function correctionGain(P: Matrix, C: Matrix, R: Matrix): Matrix {
   const PCt = P.mmul(C.transpose());
   const solved = solveLinear(Matrix.add(C.mmul(PCt), R), PCt.transpose());

@@ -31,7 +31,13 @@ export interface ControllerProgram {
 const TESTED = 8;
 const SEED = 2017;
 
-/** Null without `control.sample`. @throws ScenarioError as the designs */
+/**
+ * Null without `control.sample`.
+ *
+ * @param scenario checked, SI
+ * @param design the continuous lqr
+ * @throws ScenarioError as the designs
+ */
 export function programOf(scenario: Scenario, design: LqrDesign): ControllerProgram | null {
   const { control } = scenario;
   if (control?.type !== 'lqr') return null;
@@ -80,7 +86,12 @@ export function programOf(scenario: Scenario, design: LqrDesign): ControllerProg
   return { ...program, test: { y, u: carriedOut(program, y) } };
 }
 
-/** What the program answers to measurements, from c = 0. */
+/**
+ * What the program answers to measurements, from c = 0.
+ *
+ * @param program its four matrices
+ * @param y measurements by sample
+ */
 export function carriedOut(
   program: Pick<ControllerProgram, 'A' | 'B' | 'C' | 'D'>,
   y: readonly number[][],

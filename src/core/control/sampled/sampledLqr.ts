@@ -30,7 +30,12 @@ export interface Timing {
   lags?: readonly number[];
 }
 
-/** The continuous design's own gain, held. */
+/**
+ * The continuous design's own gain, held.
+ *
+ * @param design the continuous lqr
+ * @param timing sample time, delay and lags, s
+ */
 export function heldDesign(design: LqrDesign, timing: Timing): SampledDesign {
   const driven = drivenPlant(design, timing);
   const plant = heldWithDelay(driven.A, driven.B, timing.sample, timing.delay);
@@ -38,7 +43,12 @@ export function heldDesign(design: LqrDesign, timing: Timing): SampledDesign {
   return report(design, timing, plant, driven.A.rows, K, null);
 }
 
-/** The regulator of least cost among those that hold their input: exact sampled cost, delay and lags by augmentation. */
+/**
+ * The regulator of least cost among those that hold their input: exact sampled cost, delay and lags by augmentation.
+ *
+ * @param design the continuous lqr
+ * @param timing sample time, delay and lags, s
+ */
 export function sampledLqr(design: LqrDesign, timing: Timing): SampledDesign {
   const { sample, delay } = timing;
   const { C } = design.quotient;

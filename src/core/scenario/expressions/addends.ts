@@ -5,6 +5,8 @@ import { node, number, type Node } from './tree.ts';
  * The parts of a sum that depend on t, each without its constant factors. A share of a sum, as the logistic function
  * exp(x) / (1 + exp(x)) and tanh by its exponentials, is 1 / (1 + the others beside it): so its rate is bounded where it
  * nears 1, too, and not by the difference of two large ones.
+ *
+ * @param of root of the formula's tree
  */
 export function addendsOf(of: Node): Node[] {
   return leavesOf(of)

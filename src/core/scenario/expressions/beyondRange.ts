@@ -35,7 +35,11 @@ function fromLog(sign: number, log: Wide): Wide {
   return { sign, log };
 }
 
-/** As a double: infinite or 0 where it is beyond them. */
+/**
+ * As a double: infinite or 0 where it is beyond them.
+ *
+ * @param a number of any exponent
+ */
 export function toDouble(a: Wide): number {
   if (typeof a === 'number') return a;
   return a.sign * (typeof a.log === 'number' ? Math.exp(a.log) : a.log.sign > 0 ? Infinity : 0);
@@ -105,13 +109,23 @@ function power(base: Wide, exponent: Wide): Wide {
   return times(sign < 0 && plain % 2 !== 0 ? -1 : 1, exponential(times(exponent, logOf(base))));
 }
 
-/** Value and rate at t; NaN where there is none. */
+/**
+ * Value and rate at t; NaN where there is none.
+ *
+ * @param node root of the formula's tree
+ * @param t s
+ */
 export function dualBeyondRange(node: Node, t: number): { value: number; rate: number } {
   const { x, dx } = dual(node, t);
   return { value: toDouble(x), rate: toDouble(dx) };
 }
 
-/** log |value| at t; NaN where there is none. */
+/**
+ * log |value| at t; NaN where there is none.
+ *
+ * @param node root of the formula's tree
+ * @param t s
+ */
 export function logarithmAt(node: Node, t: number): number {
   const { x } = dual(node, t);
   return signOf(x) === 0 ? -Infinity : toDouble(logOf(x));

@@ -57,6 +57,11 @@ function kept(x: number): number {
   return x;
 }
 
+/**
+ * A formula as functions: its value, and its value with its rate.
+ *
+ * @param node root of the formula's tree
+ */
 export function closuresOf(node: Node): Closures {
   if (node.op === 'number') return { value: () => node.x, dual: () => ((mark.rate = 0), node.x) };
   if (node.op === 'name')

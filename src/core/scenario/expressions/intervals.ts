@@ -28,34 +28,76 @@ export const add = (a: number, b: number, c: number, d: number): void => set(a +
 /** 0 times what has no bound is 0: the bound is a limit, never a number itself. */
 const product = (x: number, y: number): number => (x === 0 || y === 0 ? 0 : x * y);
 
+/**
+ * [a, b] [c, d].
+ *
+ * @param a lower bound of the first factor
+ * @param b upper bound of the first factor
+ * @param c lower bound of the second
+ * @param d upper bound of the second
+ */
 export function multiply(a: number, b: number, c: number, d: number): void {
   const [p, q, r, s] = [product(a, c), product(a, d), product(b, c), product(b, d)];
   set(Math.min(p, q, r, s), Math.max(p, q, r, s), OPERATION);
 }
 
+/**
+ * [a, b] / [c, d]; unbounded where the divisor may be 0.
+ *
+ * @param a lower bound of the dividend
+ * @param b upper bound of the dividend
+ * @param c lower bound of the divisor
+ * @param d upper bound of the divisor
+ */
 export function divide(a: number, b: number, c: number, d: number): void {
   if (c <= 0 && d >= 0) return unbounded();
   const [p, q, r, s] = [a / c, a / d, b / c, b / d];
   set(Math.min(p, q, r, s), Math.max(p, q, r, s), OPERATION);
 }
 
+/**
+ * [a, b]².
+ *
+ * @param a lower bound of the argument
+ * @param b upper bound of the argument
+ */
 export function square(a: number, b: number): void {
   const least = a <= 0 && b >= 0 ? 0 : Math.min(a * a, b * b);
   set(least, Math.max(a * a, b * b), OPERATION);
 }
 
-/** Of a rising function that is defined on [from, to]; nothing is known where the argument may leave that. */
+/**
+ * Of a rising function that is defined on [from, to]; nothing is known where the argument may leave that.
+ *
+ * @param f rising
+ * @param a lower bound of the argument
+ * @param b upper bound of the argument
+ * @param from where f begins
+ * @param to where f ends
+ */
 export function rising(f: (x: number) => number, a: number, b: number, from = -Infinity, to = Infinity): void {
   if (a < from || b > to) return unbounded();
   set(f(a), f(b), FUNCTION);
 }
 
+/**
+ * cosh [a, b].
+ *
+ * @param a lower bound of the argument
+ * @param b upper bound of the argument
+ */
 export function cosh(a: number, b: number): void {
   const least = a <= 0 && b >= 0 ? 1 : Math.min(Math.cosh(a), Math.cosh(b));
   set(least, Math.max(Math.cosh(a), Math.cosh(b)), FUNCTION);
 }
 
-/** sin(x + shift pi/2): for an argument within a period by where its crest and trough are. */
+/**
+ * sin(x + shift pi/2): for an argument within a period by where its crest and trough are.
+ *
+ * @param a lower bound of x, rad
+ * @param b upper bound of x, rad
+ * @param shift in quarters of a turn: 0 a sine, 1 a cosine
+ */
 export function sine(a: number, b: number, shift: number): void {
   // The argument's own last digits decide where large ones are in their period.
   const slack = 4 * OPERATION * Math.max(Math.abs(a), Math.abs(b));

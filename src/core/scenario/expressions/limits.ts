@@ -12,7 +12,12 @@ const COLUMNS = 8;
 /** Two extrapolations that differ by less than this, beside the largest value or 1, have settled. */
 const SETTLED = 1e-6;
 
-/** lim f(t), or NaN where values beside t do not settle. */
+/**
+ * lim f(t), or NaN where values beside t do not settle.
+ *
+ * @param f of t
+ * @param t where
+ */
 export function limitAt(f: (t: number) => number, t: number): number {
   for (const limit of [extrapolated, neighbour]) {
     for (const side of [1, -1]) {

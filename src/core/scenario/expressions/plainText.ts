@@ -67,6 +67,9 @@ export interface PlainText {
 /**
  * Spells a text plainly and looks at every character, bracket and name before a parser sees it: what gets past is
  * short, shallow and names only what is known.
+ *
+ * @param original as written
+ * @param variables names that are known
  * @throws ExpressionError
  */
 export function plainText(original: string, variables: readonly string[]): PlainText {

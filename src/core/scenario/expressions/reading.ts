@@ -27,7 +27,9 @@ interface Chain {
 
 /**
  * @param tokens of the whole text, brackets in pairs, blanks left out
+ * @param isFunction whether a name is one of a function
  * @param written the text as given between two places of the plain one
+ * @param origin place in the text as given, of a place in the plain one
  * @throws ExpressionError where a product without a sign could mean two things
  */
 export function refuseAmbiguous(

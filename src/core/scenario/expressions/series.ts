@@ -10,6 +10,12 @@ export interface Series {
   hi: Float64Array;
 }
 
+/**
+ * Copies all coefficients.
+ *
+ * @param from read
+ * @param to written, of the same order
+ */
 export function copy(from: Series, to: Series): void {
   to.lo.set(from.lo);
   to.hi.set(from.hi);
@@ -26,7 +32,15 @@ export type Binary = (u: Series, v: Series, out: Series) => void;
 /** The sum that is being made. */
 export let lo = 0;
 export let hi = 0;
-/** Adds weight * u_i * v_j onto it. */
+/**
+ * Adds weight * u_i * v_j onto it.
+ *
+ * @param u series
+ * @param i place in u
+ * @param v series
+ * @param j place in v
+ * @param weight factor
+ */
 export function onto(u: Series, i: number, v: Series, j: number, weight = 1): void {
   multiply(u.lo[i]!, u.hi[i]!, v.lo[j]!, v.hi[j]!);
   multiply(bound.lo, bound.hi, weight, weight);
@@ -35,10 +49,23 @@ export function onto(u: Series, i: number, v: Series, j: number, weight = 1): vo
   hi = bound.hi;
 }
 export const from = (a: number, b: number): void => void ((lo = a), (hi = b));
+/**
+ * Writes the interval that was computed last as a coefficient.
+ *
+ * @param out series that is written
+ * @param k place of the coefficient
+ */
 export function put(out: Series, k: number): void {
   out.lo[k] = bound.lo;
   out.hi[k] = bound.hi;
 }
+/**
+ * Writes the sum that was made as a coefficient.
+ *
+ * @param out series that is written
+ * @param k place of the coefficient
+ * @param divisor of the sum
+ */
 export function putSum(out: Series, k: number, divisor = 1): void {
   divide(lo, hi, divisor, divisor);
   put(out, k);
@@ -62,6 +89,13 @@ export const difference: Binary = (u, v, out) => {
   }
 };
 
+/**
+ * factor u.
+ *
+ * @param u series
+ * @param factor constant
+ * @param out series that is written
+ */
 export function scaled(u: Series, factor: number, out: Series): void {
   for (let k = 0; k < out.lo.length; k++) {
     multiply(u.lo[k]!, u.hi[k]!, factor, factor);
@@ -89,7 +123,14 @@ export const quotient: Binary = (u, v, out) => {
   quotientBy(u, v, relative, out);
 };
 
-/** u / v from the coefficients of v beside its first one. */
+/**
+ * u / v from the coefficients of v beside its first one.
+ *
+ * @param u series
+ * @param v series
+ * @param relative coefficients of v beside its first one
+ * @param out series that is written
+ */
 export function quotientBy(u: Series, v: Series, relative: Series, out: Series): void {
   for (let k = 0; k < out.lo.length; k++) {
     divide(u.lo[k]!, u.hi[k]!, v.lo[0]!, v.hi[0]!);
@@ -108,7 +149,13 @@ export const relativeTo: Unary = (u, out) => {
   out.lo[0] = out.hi[0] = 1;
 };
 
-/** u^p beside its first coefficient, from u beside its own. */
+/**
+ * u^p beside its first coefficient, from u beside its own.
+ *
+ * @param relative coefficients of u beside its first one
+ * @param p exponent
+ * @param out series that is written
+ */
 export function relativePower(relative: Series, p: number, out: Series): void {
   out.lo[0] = out.hi[0] = 1;
   for (let k = 1; k < out.lo.length; k++) {
@@ -118,14 +165,28 @@ export function relativePower(relative: Series, p: number, out: Series): void {
   }
 }
 
-/** Coefficients from k = 1 on of f with f' = g u' (g in `slope`, whose coefficients may be made on the way). */
+/**
+ * Coefficients from k = 1 on of f with f' = g u' (g in `slope`, whose coefficients may be made on the way).
+ *
+ * @param u series
+ * @param slope g, coefficients below k
+ * @param out series that is written
+ * @param k place of the coefficient
+ * @param sign 1 or -1
+ */
 export function integrate(u: Series, slope: Series, out: Series, k: number, sign = 1): void {
   from(0, 0);
   for (let j = 1; j <= k; j++) onto(u, j, slope, k - j, sign * j);
   putSum(out, k, k);
 }
 
-/** Coefficients from k = 1 on of f with w f' = u'. */
+/**
+ * Coefficients from k = 1 on of f with w f' = u'.
+ *
+ * @param u series
+ * @param w series, other than 0
+ * @param out series that is written
+ */
 export function integrateOver(u: Series, w: Series, out: Series): void {
   for (let k = 1; k < out.lo.length; k++) {
     from(0, 0);
@@ -137,6 +198,13 @@ export function integrateOver(u: Series, w: Series, out: Series): void {
   }
 }
 
+/**
+ * The series of a constant.
+ *
+ * @param x the constant
+ * @param out series that is written
+ * @returns out
+ */
 export function constant(x: number, out: Series): Series {
   out.lo.fill(0);
   out.hi.fill(0);
@@ -147,6 +215,11 @@ export function constant(x: number, out: Series): Series {
 /** Work space, in turn: more at once than any function above and those it calls take. */
 const SPACES = 16;
 const spaces = new Map<number, { list: Series[]; next: number }>();
+/**
+ * A series to work in, until the space is given out again.
+ *
+ * @param like of the order that is wanted
+ */
 export function scratch(like: Series): Series {
   const order = like.lo.length - 1;
   let space = spaces.get(order);

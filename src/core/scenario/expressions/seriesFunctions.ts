@@ -31,7 +31,13 @@ export const relativeExp: Unary = (u, out) => {
   for (let k = 1; k < out.lo.length; k++) integrate(u, out, out, k);
 };
 
-/** cosh(u) or sinh(u) beside its first coefficient, with the other beside the same. Of sinh for u other than 0. */
+/**
+ * cosh(u) or sinh(u) beside its first coefficient, with the other beside the same. Of sinh for u other than 0.
+ *
+ * @param op which of the two goes to `out`
+ * @param u series
+ * @param out series that is written
+ */
 export function relativeHyperbolic(op: 'cosh' | 'sinh', u: Series, out: Series): void {
   const other = scratch(out);
   rising(Math.tanh, u.lo[0]!, u.hi[0]!);
@@ -193,6 +199,13 @@ function realPower(u: Series, p: number, out: Series): void {
 /** Whole exponents up to here by repeated products. */
 const MOST_FACTORS = 64;
 
+/**
+ * u^p.
+ *
+ * @param u series
+ * @param p exponent, constant
+ * @param out series that is written
+ */
 export function power(u: Series, p: number, out: Series): void {
   if (!Number.isInteger(p) || Math.abs(p) > MOST_FACTORS) return realPower(u, p, out);
   if (p < 0) {
@@ -292,6 +305,13 @@ export const unarySeries: ReadonlyMap<string, Unary> = new Map<string, Unary>([
   ['cbrt', cbrt],
 ]);
 
+/**
+ * u^v, as exp(v log u).
+ *
+ * @param u series
+ * @param v the exponent, series
+ * @param out series that is written
+ */
 export function powerOf(u: Series, v: Series, out: Series): void {
   const w = scratch(out);
   log(u, w);

@@ -55,7 +55,11 @@ const decisions: ReadonlyMap<string, (x: number, y: number) => number> = new Map
 /** What a switch decides from the values of its parts; undefined for what is no switch. */
 export const decide = (op: string): ((x: number, y: number) => number) | undefined => decisions.get(op);
 
-/** The switches of a tree, parts before what they are parts of. */
+/**
+ * The switches of a tree, parts before what they are parts of.
+ *
+ * @param root of the formula's tree
+ */
 export function switchesOf(root: Node): Node[] {
   const found: Node[] = [];
   const look = (at: Node): void => {

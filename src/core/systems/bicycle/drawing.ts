@@ -193,6 +193,8 @@ const shifted = (parts: readonly Part[], origin: Vec3): Part[] =>
 /**
  * A bicycle with its rider: two wheels, frame, fork. Both frames are drawn as they stand upright with the steer at zero,
  * x forward and z up: the rear one from the rear hub, the front one from the front hub.
+ *
+ * @param p parameters by name, SI
  */
 export function draw(p: Value): Sketch {
   const layout = layoutOf(p);

@@ -16,7 +16,11 @@ function pendulum(length: number, bob: number, y: number): Part[] {
 
 const PENDULUM = 'Pendulum: origin at its pivot, x along the rod to the bob at its centre of mass.';
 
-/** A cart on a rail, its rod beside it, so that it can fall past the rail. */
+/**
+ * A cart on a rail, its rod beside it, so that it can fall past the rail.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const length = sizeOf(p('L', 1));
   const [cart, bob] = [0.12 * length * growthOf(p('m1', 0.3), 0.3), 0.065 * length * growthOf(p('m2', 0.1), 0.1)];

@@ -5,7 +5,11 @@ import { type Sketch, type Value, valueOf } from '../../geometry/drawing.ts';
 import { along, ball, torus, tube } from '../../geometry/solids.ts';
 import { scale, type Vec3 } from '../../geometry/vectors.ts';
 
-/** The board's caster on a bracket: the steering axis, and the circle of radius |casterTrail| that its skate point draws. */
+/**
+ * The board's caster on a bracket: the steering axis, and the circle of radius |casterTrail| that its skate point draws.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const [angle, trail, drop] = [p('casterAngle'), p('casterTrail'), p('casterDrop')];
   const wheelRadius = p('wheelRadius', 0.04);

@@ -47,7 +47,11 @@ function caster(height: number): Part[] {
   ];
 }
 
-/** Two plates with weights on one roll axis, a caster under each; the axis lies at half of l1. */
+/**
+ * Two plates with weights on one roll axis, a caster under each; the axis lies at half of l1.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const [half, length] = [sizeOf(p('l1', 0.095)), sizeOf(p('l2', 0.115))];
   const weight = 0.2 * half * growthOf(p('m2', 0.29), 0.29);

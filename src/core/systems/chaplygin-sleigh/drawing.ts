@@ -3,7 +3,11 @@ import { ball, tube, upstanding } from '../../geometry/solids.ts';
 import { plateOf } from '../../geometry/shapes.ts';
 import { upright } from '../../geometry/vectors.ts';
 
-/** A plate on a blade (the origin) and two smooth feet, its centre of mass `a` ahead of the blade. */
+/**
+ * A plate on a blade (the origin) and two smooth feet, its centre of mass `a` ahead of the blade.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const a = p('a', 0.2);
   const size = sizeOf(a);

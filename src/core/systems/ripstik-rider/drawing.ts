@@ -5,7 +5,11 @@ import type { Vec3 } from '../../geometry/vectors.ts';
 import type { Part } from '../../geometry/wavefront.ts';
 import { draw as drawBoard } from '../ripstik/drawing.ts';
 
-/** The board, and on it a rider whose soles stand on the plates where ankles and lean are at zero. */
+/**
+ * The board, and on it a rider whose soles stand on the plates where ankles and lean are at zero.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const board = drawBoard(p);
   return {

@@ -5,7 +5,11 @@ import { layout } from './drawing/layout.ts';
 import { backPlateBody, frontPlateBody } from './drawing/plate.ts';
 import { rodBody } from './drawing/rod.ts';
 
-/** The board; both casters wear one mesh. */
+/**
+ * The board; both casters wear one mesh.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const dimensions = dimensionsOf(p);
   return {

@@ -1,7 +1,11 @@
 import { type Sketch, sizeOf, type Value } from '../../geometry/drawing.ts';
 import { spokedWheel } from '../../geometry/wheels.ts';
 
-/** An upright wheel with a marked spoke. */
+/**
+ * An upright wheel with a marked spoke.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const radius = sizeOf(p('rho', 1));
   return {

@@ -5,7 +5,11 @@ const radius = 0.05;
 /** From the mark of zero; Euler's method of Fig. 13 swings to both sides of it. */
 const reach = 1;
 
-/** A ball at the height y before a scale from -1 to 1, marked in tenths. */
+/**
+ * A ball at the height y before a scale from -1 to 1, marked in tenths.
+ *
+ * @param _ parameters, none of which shows
+ */
 export function draw(_: Value): Sketch {
   const [behind, width] = [0.08, 0.09];
   const marks = Array.from({ length: 21 }, (_, k) => k - 10).map((tenth) => {

@@ -2,7 +2,11 @@ import { growthOf, type Sketch, sizeOf, type Value } from '../../geometry/drawin
 import { tube } from '../../geometry/solids.ts';
 import { spokedWheel } from '../../geometry/wheels.ts';
 
-/** A wheel on the ground that carries on its axle a thin rod of length 2 L (its inertia says so), the centre marked. */
+/**
+ * A wheel on the ground that carries on its axle a thin rod of length 2 L (its inertia says so), the centre marked.
+ *
+ * @param p parameters by name, SI
+ */
 export function draw(p: Value): Sketch {
   const [length, radius] = [sizeOf(p('L', 1)), sizeOf(p('rho', 0.5))];
   const thick = 0.03 * length * growthOf(p('mP', 1), 1);

@@ -9,7 +9,11 @@ const spokes = 5;
 /** Proportions of the wheel as fractions of its radius. */
 const wheel = { halfWidth: 0.3, rimOuter: 0.64, rimInner: 0.56, coreOuter: 0.3, bearing: 0.23, bore: 0.12 };
 
-/** One model serves both ends: turntable, fork and wheel, standing on the origin. */
+/**
+ * One model serves both ends: turntable, fork and wheel, standing on the origin.
+ *
+ * @param d dimensions, m
+ */
 export function casterBody(d: Dimensions): Body {
   return {
     name: 'caster',

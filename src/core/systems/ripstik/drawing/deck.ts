@@ -36,6 +36,12 @@ const stationsPerKnot = 4;
 export const waistHalfWidth = (d: Dimensions): number =>
   Math.min(Math.max(0.29 * (d.plateWidth / 2), 1.55 * d.rodRadius), 0.6 * (d.plateWidth / 2));
 
+/**
+ * Form of a plate: its outline and surfaces, and the bumper round it.
+ *
+ * @param d dimensions, m
+ * @param kickHeight m
+ */
 export function deckOf(d: Dimensions, kickHeight: number): Deck {
   const [L, W, T] = [d.plateLength, d.plateWidth, d.plateThickness];
   const bumperWidth = Math.min(0.12 * T, 0.06 * W, 0.03 * L);

@@ -29,7 +29,11 @@ export const hubOf = (casterAngle: number, wheelRadius: number): Vec3 => [
   wheelRadius * Math.cos(casterAngle),
 ];
 
-/** Both casters' wheels turn. */
+/**
+ * Both casters' wheels turn.
+ *
+ * @param p parameters by name, SI
+ */
 export function layout(p: Value): Layout {
   const hub = hubOf(p('casterAngle'), p('wheelRadius'));
   return { spins: { 'front-caster': { hub, contact: 0 }, 'back-caster': { hub, contact: 1 } } };

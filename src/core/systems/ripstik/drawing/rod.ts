@@ -8,7 +8,11 @@ const segments = 24;
 /** Local z along the rod: turned profiles run from the back end (-x) to the front end. */
 const alongX: Placement = { origin: [0, 0, 0], ex: [0, 1, 0], ey: [0, 0, 1], ez: [1, 0, 0] };
 
-/** The torsion bar: a metal cylinder of the simulated size with a rubber handle let in flush. */
+/**
+ * The torsion bar: a metal cylinder of the simulated size with a rubber handle let in flush.
+ *
+ * @param d dimensions, m
+ */
 export function rodBody(d: Dimensions): Body {
   const half = d.rodLength / 2;
   const inner = d.plateOffset - d.plateLength / 2;

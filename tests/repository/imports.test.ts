@@ -66,7 +66,8 @@ const targetOf = (name: string, specifier: string): string => relative(src, reso
 /** The folder of `root` that a file lies in, or its own name for an entry file; null outside. */
 function partOf(name: string, root: string): string | null {
   if (root && !name.startsWith(root + sep)) return null;
-  return relative(root, name)
+  return name
+    .slice(root ? root.length + 1 : 0)
     .split(sep)[0]!
     .replace(/\.tsx?$/, '');
 }

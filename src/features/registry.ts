@@ -4,6 +4,7 @@ export { gallery } from './gallery/manifest.tsx';
 export { now } from './now/manifest.tsx';
 export { plots } from './plots/manifest.tsx';
 export { equations } from './equations/manifest.tsx';
+export { own } from './own/manifest.tsx';
 export { analysis } from './analysis/manifest.tsx';
 export { gaits } from './gaits/manifest.tsx';
 export { methods } from './methods/manifest.tsx';

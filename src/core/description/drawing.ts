@@ -113,20 +113,36 @@ function partsOf({ kind, axis }: ShapeModel, numbers: readonly number[], painted
 
 /** What goes nowhere is looked at where it is, with the floor below all that it reaches. */
 function stageOf(model: Model, p: Float64Array): NonNullable<Sketch['stage']> {
-  const { coordinates, bodies, graph, q } = model;
+  const { coordinates, bodies, shapes, graph, q } = model;
   if (coordinates.some(({ kind }, i) => kind === 'length' && i !== model.clock)) return {};
   const places = new Program(
     graph,
     { q, p: model.p },
-    { out: bodies.flatMap(({ origin, position }) => [...origin, ...position]) },
+    {
+      out: bodies.flatMap(({ origin, position }) => [...origin, ...position]),
+      shapes: shapes.flatMap(({ at, sizes }) => [...at, ...sizes]),
+    },
   );
   const out = new Float64Array(6 * bodies.length);
+  const extents = new Float64Array(places.outputs[1]!.length);
   places.interpreted()(
     Float64Array.from(coordinates, ({ rest }) => rest ?? 0),
     p,
     out,
+    extents,
   );
-  const reach = finite(out.reduce((most, x) => Math.max(most, Math.abs(x)), 0.1)) * 1.2;
+  const largest = (values: Float64Array, least: number): number =>
+    finite(values.reduce((most, x) => Math.max(most, Math.abs(x)), least));
+  // A shape reaches from its body's place by where it stands on it and half of what it measures: no more than their sum.
+  let beyond = 0;
+  let from = 0;
+  for (const { at, sizes } of shapes) {
+    const end = from + at.length + sizes.length;
+    const [place, size] = [extents.subarray(from, from + at.length), extents.subarray(from + at.length, end)];
+    beyond = Math.max(beyond, largest(place, 0) + largest(size, 0) / 2);
+    from = end;
+  }
+  const reach = (largest(out, 0.1) + beyond) * 1.1;
   return {
     still: true,
     facing: 'world',

@@ -1,0 +1,180 @@
+/** One's own system: a text, read as it is typed; once it is right it is in the panel and runs. */
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { download } from '../../app/files/download.ts';
+import { ownCase } from '../../app/state/cases.ts';
+import { readSystem, type DescriptionError } from '../../core/description/index.ts';
+import { templates } from '../../core/description/templates.ts';
+import { isOwn } from '../../core/scenario/own.ts';
+import { ScenarioError } from '../../core/scenario/types.ts';
+import { learnSystem } from '../../core/systems/registry.ts';
+import { edit, useUi, type Ui } from '../../ui/context.ts';
+import { carriedOver } from './adopt.ts';
+import { createEditor, type Names, type TextEditor } from './editor.ts';
+import './own.css';
+import { words } from './words.ts';
+
+/** From the last key to reading, ms: the text is read in a few. */
+const PAUSE_MS = 250;
+
+type Standing =
+  | { kind: 'untouched'; title: string }
+  | { kind: 'fine'; title: string }
+  | { kind: 'empty' }
+  | { kind: 'faults'; faults: readonly DescriptionError[] }
+  | { kind: 'refused'; reason: string };
+
+/** What stands in the editor first: the system in the panel, as it was typed or as its template. */
+async function firstText(ui: Ui): Promise<{ text: string; title: string }> {
+  const { meta } = ui.system.peek() ?? {};
+  if (meta?.description !== undefined) return { text: meta.description, title: meta.title };
+  const template = templates.find(({ id }) => id === meta?.id) ?? templates.find(({ id }) => id === 'cart-pendulum')!;
+  return { text: (await template.load()).default, title: template.title };
+}
+
+export function OwnTool() {
+  const ui = useUi();
+  const place = useRef<HTMLDivElement>(null);
+  const chooser = useRef<HTMLInputElement>(null);
+  const editor = useRef<TextEditor | null>(null);
+  const names = useRef<ReturnType<Names>>(new Map());
+  const standing = useSignal<Standing>({ kind: 'empty' });
+  const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
+
+  const read = async (text: string): Promise<void> => {
+    const reading = readSystem(text);
+    names.current = reading.names;
+    editor.current?.mark(reading.faults);
+    if (text.trim() === '') standing.value = { kind: 'empty' };
+    else if (!reading.view) standing.value = { kind: 'faults', faults: reading.faults };
+    else
+      try {
+        const { meta } = await learnSystem(text);
+        // Another key was pressed meanwhile.
+        if (editor.current?.text !== text) return;
+        standing.value = { kind: 'fine', title: meta.title };
+        const draft = ui.app.state.draft.peek();
+        if (draft.system === meta.id) return;
+        const next = carriedOver(draft, meta);
+        if (isOwn(draft.system)) edit(ui, words.label, () => next);
+        else ui.app.actions.openScenario(ownCase(meta.title, next), next);
+      } catch (error) {
+        if (!(error instanceof ScenarioError)) throw error;
+        standing.value = { kind: 'refused', reason: error.message };
+      }
+  };
+  const soon = (text: string): void => {
+    clearTimeout(timer.current);
+    timer.current = setTimeout(() => void read(text), PAUSE_MS);
+  };
+
+  useEffect(() => {
+    let gone = false;
+    void firstText(ui).then(({ text, title }) => {
+      if (gone) return;
+      names.current = readSystem(text).names;
+      editor.current = createEditor(place.current!, text, () => names.current, soon);
+      standing.value = { kind: 'untouched', title };
+    });
+    return () => {
+      gone = true;
+      clearTimeout(timer.current);
+      editor.current?.destroy();
+      editor.current = null;
+    };
+  }, []);
+
+  const put = (text: string): void => {
+    editor.current?.replace(text);
+    clearTimeout(timer.current);
+    void read(text);
+  };
+  const now = standing.value;
+  const title = now.kind === 'fine' || now.kind === 'untouched' ? now.title : '';
+  return (
+    <div class="own" data-testid="own">
+      <p class="hint">{words.intro}</p>
+      <div class="own-bar">
+        <label>
+          {words.begin}{' '}
+          <select
+            data-testid="own-template"
+            value=""
+            onChange={(event) => {
+              const chosen = templates.find(({ id }) => id === event.currentTarget.value);
+              event.currentTarget.value = '';
+              void chosen?.load().then((module) => put(module.default));
+            }}
+          >
+            <option value="" disabled>
+              {words.choose}
+            </option>
+            {templates.map((template) => (
+              <option key={template.id} value={template.id}>
+                {template.title}
+              </option>
+            ))}
+          </select>
+        </label>
+        <button type="button" onClick={() => chooser.current?.click()}>
+          {words.open}
+        </button>
+        <input
+          ref={chooser}
+          type="file"
+          class="hidden"
+          tabIndex={-1}
+          aria-hidden="true"
+          accept=".txt"
+          data-testid="own-open"
+          onChange={(event) => {
+            const input = event.currentTarget;
+            void input.files?.[0]?.text().then((text) => {
+              put(text.replace(/^\ufeff/, ''));
+              input.value = '';
+            });
+          }}
+        />
+        <button
+          type="button"
+          data-testid="own-save"
+          onClick={() => download(words.file(title), [editor.current?.text ?? ''], 'text/plain')}
+        >
+          {words.save}
+        </button>
+      </div>
+      <div class="own-editor" ref={place} />
+      <div class="own-state" role="status" data-testid="own-state" data-state={now.kind}>
+        <State now={now} onGo={(line) => editor.current?.goTo(line)} />
+      </div>
+    </div>
+  );
+}
+
+function State({ now, onGo }: { now: Standing; onGo(line: number): void }) {
+  switch (now.kind) {
+    case 'empty':
+      return <p class="hint">{words.empty}</p>;
+    case 'untouched':
+      return <p class="hint">{words.untouched(now.title)}</p>;
+    case 'fine':
+      return <p>{words.fine(now.title)}</p>;
+    case 'refused':
+      return <p class="error">{words.refused(now.reason)}</p>;
+    case 'faults':
+      return (
+        <>
+          <p>{words.faults(now.faults.length)}</p>
+          <ul>
+            {now.faults.map(({ line, column, reason }) => (
+              <li key={`${line} ${column}`}>
+                <button type="button" onClick={() => onGo(line)}>
+                  {words.fault(line, reason)}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </>
+      );
+  }
+}

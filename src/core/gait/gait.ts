@@ -60,7 +60,7 @@ function wave({ amplitude, frequency, harmonics }: Gait, mean: number, ahead: nu
  * One foot's target at a share of a stroke.
  *
  * @param gait of both feet; rad, Hz
- * @param foot which
+ * @param foot whose target
  * @param share 0 to 1
  * @returns rad
  */

@@ -72,7 +72,7 @@ export function valuesOf(
 }
 
 /**
- * @param kind what of the values
+ * @param kind which number of the values
  * @param t times of the rows, s, ascending
  * @param values one for each time
  * @returns NaN where the run has no such number (no row, or a step that never rises)

@@ -17,8 +17,8 @@ export interface WrittenScenario {
  * Where two scenarios mean different things, by path, in the scenario's own order. What is told is what was written
  * (`10 deg`), or the default where nothing was.
  *
- * @param a the one
- * @param b the other
+ * @param a the scenario that is compared
+ * @param b with which
  */
 export function scenarioDifferences(a: WrittenScenario, b: WrittenScenario): ScenarioDifference[] {
   const [first, second] = [leaves(a.checked), leaves(b.checked)];

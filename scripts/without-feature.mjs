@@ -16,7 +16,7 @@ import { join } from 'node:path';
 import { Plain, main, root, run } from './setup.mjs';
 
 /** What the type check and the build read. */
-const NEEDED = ['src', 'public', 'index.html', 'package.json', 'vite.config.ts', 'scripts'];
+const NEEDED = ['src', 'docs', 'public', 'index.html', 'package.json', 'vite.config.ts', 'scripts'];
 
 /** Names that a test finds elements by: they are in the built page as they stand here. */
 const MARK = /(?:data-testid|testId)="([\w-]+)"/g;

@@ -1,12 +1,12 @@
 import { readFileSync } from 'node:fs';
-import { isAbsolute, resolve } from 'node:path';
+import { resolve } from 'node:path';
 
 /** A call that can't be carried out, said in one line. */
 export class UsageError extends Error {}
 
-/** Paths mean what they mean where the person typed them, not in the package's own folder. */
+/** Paths mean what they mean where the command runs; `npm run ripstik` runs it where the person typed it (`scripts/ripstik.mjs`). */
 export function pathOf(name: string): string {
-  return isAbsolute(name) ? name : resolve(process.env['INIT_CWD'] ?? process.cwd(), name);
+  return resolve(name);
 }
 
 /** What stands in a file. @param name as typed, `-` for standard input @throws UsageError */

@@ -28,7 +28,7 @@ type Standing =
 async function firstText(ui: Ui): Promise<{ text: string; title: string }> {
   const { meta } = ui.system.peek() ?? {};
   if (meta?.description !== undefined) return { text: meta.description, title: meta.title };
-  const template = templates.find(({ id }) => id === meta?.id) ?? templates.find(({ id }) => id === 'cart-pendulum')!;
+  const template = templates.find(({ id }) => id === meta?.id) ?? templates[0]!;
   return { text: (await template.load()).default, title: template.title };
 }
 

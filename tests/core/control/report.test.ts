@@ -69,7 +69,7 @@ describe('what a computer needs', () => {
   });
 
   test('is nothing without a regulator, and finite for every system that has one', () => {
-    expect(of(null)).toEqual({ margins: null, sampled: null });
+    expect(of(null)).toEqual({ margins: null, sampled: null, estimator: null, controller: null });
     const pendulum = of({ type: 'lqr', inputs: ['tau_phi'] }, 'wheel-pendulum');
     expect(pendulum.margins!.sampleTime).toBeGreaterThan(0);
     expect(pendulum.margins!.delay).toBeGreaterThan(0);

@@ -137,7 +137,12 @@ export function createEditor(
     lintGutter(),
     autocompletion({ override: [completion(names)], icons: false }),
     keymap.of([...completionKeymap, ...historyKeymap, ...defaultKeymap]),
-    EditorView.contentAttributes.of({ 'aria-label': words.editor, 'data-testid': 'own-text', spellcheck: 'false' }),
+    EditorView.contentAttributes.of({
+      'aria-label': words.editor,
+      'data-testid': 'own-text',
+      tabindex: '0',
+      spellcheck: 'false',
+    }),
     EditorView.updateListener.of((update) => {
       if (update.docChanged) changed(update.state.doc.toString());
     }),

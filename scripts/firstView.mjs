@@ -5,7 +5,7 @@ import { Plain, root } from './setup.mjs';
 
 const dist = join(root, 'dist');
 
-/** What the first view asks for although it comes in files of its own: the scene, so that the panel need not wait for it, what computes the first motion and draws it, and what comes soon after: the service worker, the runs kept from before. */
+/** What the first view asks for although it comes in files of its own: the scene, so that the panel need not wait for it, what computes the first motion and draws it, and what comes soon after: the lower part of the panel, the service worker, the runs kept from before. */
 const AT_ONCE = [
   'src/scene/scene.ts',
   'src/compute/worker.ts',
@@ -15,6 +15,7 @@ const AT_ONCE = [
   'src/core/systems/ripstik/drawing.ts',
   'src/app/offline.ts',
   'src/app/persistence/keptRuns.ts',
+  'src/features/experiment/lowerSections.tsx',
 ];
 
 /**

@@ -16,7 +16,7 @@ import { join } from 'node:path';
 import { Plain, main, root, run } from './setup.mjs';
 
 /** What the type check and the build read. */
-const NEEDED = ['src', 'docs', 'public', 'index.html', 'package.json', 'vite.config.ts', 'scripts'];
+const NEEDED = ['src', 'docs', 'public', 'scripts'];
 
 /** Names that a test finds elements by: they are in the built page as they stand here. */
 const MARK = /(?:data-testid|testId)="([\w-]+)"/g;
@@ -40,8 +40,9 @@ async function without(id) {
   const copy = mkdtempSync(join(tmpdir(), 'ripstik-without-'));
   try {
     for (const name of NEEDED) cpSync(join(root, name), join(copy, name), { recursive: true });
-    for (const name of readdirSync(root))
-      if (/^tsconfig.*\.json$/.test(name)) cpSync(join(root, name), join(copy, name));
+    // The page, its settings, its licence: every file beside them.
+    for (const entry of readdirSync(root, { withFileTypes: true }))
+      if (entry.isFile() && !entry.name.startsWith('.')) cpSync(join(root, entry.name), join(copy, entry.name));
     // What an earlier check found out stays true of the files that are the same.
     for (const name of ['types', 'core.tsbuildinfo', 'page.tsbuildinfo'])
       if (existsSync(join(root, '.cache', name)))

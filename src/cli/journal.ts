@@ -6,14 +6,15 @@ import { UsageError } from './usage.ts';
 
 /**
  * The rows of a sweep that is not finished, one JSON text a line, beside the file that they will be: a sweep that is
- * killed goes on where it was. A line that was cut off is not counted.
+ * killed goes on where it was. Lines are only ever appended, so that two processes that were given the same sweep, as
+ * by a scheduler that thinks the first one dead, do not write into each other's. A line that was cut off is not
+ * counted: its run is computed again.
  */
 export class Journal {
   readonly rows = new Map<number, StudyRow>();
   private readonly path: string;
   private readonly name: string;
   private readonly file: number;
-  private at: number;
 
   /**
    * @param out of the finished table
@@ -28,26 +29,26 @@ export class Journal {
     if (there && !resume)
       throw new UsageError(`${this.name} holds a sweep that was interrupted: --resume goes on with it, or delete it`);
     try {
-      this.file = openSync(this.path, there ? 'r+' : 'wx');
+      this.file = openSync(this.path, there ? 'a' : 'ax');
     } catch (error) {
       throw cannotWrite(this.name, error);
     }
     const text = there ? readFileSync(this.path, 'utf8') : '';
-    const whole = text.slice(0, text.lastIndexOf('\n') + 1);
-    const [header, ...lines] = whole.split('\n').slice(0, -1);
+    const [header, ...lines] = text.split('\n').slice(0, -1);
     if (header !== undefined && header !== first)
       throw new UsageError(`${this.name} is of another study or shard: name another --out, or delete it`);
     for (const line of lines) {
       const row = parsed(line);
-      this.rows.set(row.index, row);
+      if (row) this.rows.set(row.index, row);
     }
-    ftruncateSync(this.file, Buffer.byteLength(whole));
-    this.at = Buffer.byteLength(whole);
-    if (header === undefined) this.append(first);
+    if (header === undefined) {
+      ftruncateSync(this.file, 0);
+      this.append(`${first}\n`);
+    } else if (!text.endsWith('\n')) this.append('\n');
   }
 
   add(row: StudyRow): void {
-    this.append(lineOf(row));
+    this.append(`${lineOf(row)}\n`);
     this.rows.set(row.index, row);
   }
 
@@ -61,15 +62,13 @@ export class Journal {
     rmSync(this.path, { force: true });
   }
 
-  private append(line: string): void {
-    const bytes = Buffer.from(`${line}\n`);
+  private append(text: string): void {
+    const bytes = Buffer.from(text);
     try {
-      for (let done = 0; done < bytes.length;)
-        done += writeSync(this.file, bytes, done, bytes.length - done, this.at + done);
+      for (let done = 0; done < bytes.length;) done += writeSync(this.file, bytes, done);
     } catch (error) {
       throw cannotWrite(this.name, error);
     }
-    this.at += bytes.length;
   }
 }
 
@@ -84,7 +83,14 @@ function lineOf({ index, values, measures, reason, time, engine, message }: Stud
 
 type Line = [number, (number | string)[], (number | null)[], [number | null], string, string, string];
 
-function parsed(line: string): StudyRow {
-  const [index, values, measures, [time], reason, engine, message] = JSON.parse(line) as Line;
-  return { index, values, measures: measures.map((m) => m ?? NaN), time: time ?? NaN, reason, engine, message };
+/** @returns null for a line that was cut off */
+function parsed(line: string): StudyRow | null {
+  let values: Line;
+  try {
+    values = JSON.parse(line) as Line;
+  } catch {
+    return null;
+  }
+  const [index, varied, measures, [time], reason, engine, message] = values;
+  return { index, values: varied, measures: measures.map((m) => m ?? NaN), time: time ?? NaN, reason, engine, message };
 }

@@ -1,9 +1,9 @@
 import '../core/simulation/everyMotion.ts';
-import { gaitScenario, plainGait, type Gait } from '../core/gait/gait.ts';
+import { gaitScenario, plainGait, startAt, USUAL_DRAG, type Gait } from '../core/gait/gait.ts';
 import { GaitError, holdSpeed, type GaitReport } from '../core/gait/measureGait.ts';
 import { optimiseGait, SEARCH } from '../core/gait/optimiseGait.ts';
 import type { System } from '../core/model/system.ts';
-import { UsageError } from './usage.ts';
+import { pairsOf, UsageError } from './usage.ts';
 
 /** As typed; angles in degrees. */
 export interface GaitOptions {
@@ -30,7 +30,7 @@ const DEGREE = Math.PI / 180;
 export function gaitReport(system: System, options: GaitOptions): GaitReport & { scenario: unknown } {
   const { meta } = system;
   if (!meta.gait) throw new UsageError(`${meta.id} has no feet that pump`);
-  const parameters = parametersOf(options.parameters ?? `${meta.gait.drag ?? ''}=0.5`, system);
+  const parameters = parametersOf(options.parameters, system);
   const number = (name: keyof GaitOptions, otherwise: number): number => {
     const text = options[name];
     const value = text === undefined ? otherwise : Number(text);
@@ -59,10 +59,9 @@ export function gaitReport(system: System, options: GaitOptions): GaitReport & {
       const next = running.next();
       if (!next.done) continue;
       const report = next.value;
-      const from = meta.speed?.name ?? meta.forward!.along[0];
       return {
         ...report,
-        scenario: gaitScenario(meta, report.gait, { parameters, initial: { [from]: speed }, duration: 20 }),
+        scenario: gaitScenario(meta, report.gait, { parameters, initial: startAt(meta, speed), duration: 20 }),
       };
     }
   } catch (error) {
@@ -71,18 +70,13 @@ export function gaitReport(system: System, options: GaitOptions): GaitReport & {
   }
 }
 
-function parametersOf(text: string, { meta }: System): Record<string, number> {
+function parametersOf(text: string | undefined, { meta }: System): Record<string, number> {
+  if (text === undefined) return meta.gait!.drag === undefined ? {} : { [meta.gait!.drag]: USUAL_DRAG };
   return Object.fromEntries(
-    text
-      .split(',')
-      .filter((part) => !part.startsWith('='))
-      .map((part) => {
-        const [name = '', value = ''] = part.split('=');
-        if (!meta.parameters.some((p) => p.name === name))
-          throw new UsageError(`${meta.id} has no parameter "${name}"`);
-        if (value === '' || !Number.isFinite(Number(value)))
-          throw new UsageError(`--parameters ${name}: "${value}" is no number`);
-        return [name, Number(value)];
-      }),
+    Object.entries(pairsOf('--parameters', text, 'wheelDrag=0.5,plateMass=1')).map(([name, value]) => {
+      if (!meta.parameters.some((p) => p.name === name)) throw new UsageError(`${meta.id} has no parameter "${name}"`);
+      if (!Number.isFinite(Number(value))) throw new UsageError(`--parameters ${name}: "${value}" is no number`);
+      return [name, Number(value)];
+    }),
   );
 }

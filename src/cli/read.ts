@@ -9,7 +9,7 @@ import type { ColumnPlan, ImportChoices } from '../csv/plan.ts';
 import { ENDING, readStream, scenarioIn, type Bytes } from '../csv/reading/stream.ts';
 import { SI_UNITS } from '../csv/units/units.ts';
 import { openOutput } from './output.ts';
-import { UsageError, pathOf } from './usage.ts';
+import { pairsOf, pathOf, UsageError } from './usage.ts';
 
 export interface ReadOptions {
   out?: string | undefined;
@@ -99,8 +99,8 @@ function choicesOf({ units, step, map, time, system, run, body, scalar, rates }:
   if (scalar !== undefined && scalar !== 'first' && scalar !== 'last')
     throw new UsageError(`--scalar must be first or last, not "${scalar}"`);
   return {
-    ...(units === undefined ? {} : { units: pairsOf('--units', units) }),
-    ...(map === undefined ? {} : { map: pairsOf('--map', map) }),
+    ...(units === undefined ? {} : { units: pairsOf('--units', units, 'alpha=deg,x=mm') }),
+    ...(map === undefined ? {} : { map: pairsOf('--map', map, 'theta=yaw,x=pos_x') }),
     ...(step === undefined ? {} : { step: +step }),
     ...(time === undefined ? {} : { time }),
     ...(system === undefined ? {} : { system: system === 'none' ? null : system }),
@@ -109,16 +109,6 @@ function choicesOf({ units, step, map, time, system, run, body, scalar, rates }:
     ...(scalar === undefined ? {} : { scalar }),
     ...(rates === undefined ? {} : { rates }),
   };
-}
-
-function pairsOf(option: string, text: string): Record<string, string> {
-  const pairs = text.split(',').map((pair) => /^([^=]+)=(.+)$/.exec(pair.trim()));
-  const wrong = pairs.findIndex((pair) => !pair);
-  if (wrong >= 0)
-    throw new UsageError(
-      `${option}: "${text.split(',')[wrong]!.trim()}" is not understood; right would be ${option === '--map' ? 'theta=yaw,x=pos_x' : 'alpha=deg,x=mm'}`,
-    );
-  return Object.fromEntries(pairs.map((pair) => [pair![1]!.trim(), pair![2]!.trim()]));
 }
 
 function checkUnits({ units }: ImportChoices, { plan }: Motion): void {

@@ -18,3 +18,22 @@ export function readText(name: string): string {
     throw new UsageError(`${name} can't be read: ${code === 'ENOENT' ? 'there is no such file' : message}`);
   }
 }
+
+/**
+ * `alpha=deg,x=mm` as names and what is said of them.
+ *
+ * @param option that it was given with, for the error
+ * @param right an example
+ * @throws UsageError
+ */
+export function pairsOf(option: string, text: string, right: string): Record<string, string> {
+  const parts = text.split(',').map((part) => part.trim());
+  return Object.fromEntries(
+    parts.map((part): [string, string] => {
+      const [, name, value] = /^([^=]+)=(.+)$/.exec(part) ?? [];
+      if (name === undefined || value === undefined)
+        throw new UsageError(`${option}: "${part}" is not understood; right would be ${right}`);
+      return [name.trim(), value.trim()];
+    }),
+  );
+}

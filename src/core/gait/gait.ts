@@ -31,6 +31,9 @@ export interface Gait {
 /** Together, once a second: the cheapest that is found without harmonics at 1 m/s. */
 export const plainGait: Gait = { amplitude: 0.25, frequency: 1, phase: 0, bias: 0, twist: 0, harmonics: [] };
 
+/** What wheels are taken to have where nothing is said of them, N·s/m each. */
+export const USUAL_DRAG = 0.5;
+
 /** Stiffness (N·m/rad) and damping (N·m·s/rad) of feet that follow, as the cases of pumping have them. */
 export const FEET = { kp: 60, kd: 3 } as const;
 
@@ -72,6 +75,16 @@ export function targetAt(gait: Gait, foot: 'front' | 'back', share: number): num
     sum += cosine * Math.cos(order * angle) + sine * Math.sin(order * angle);
   return gait.bias + (foot === 'front' ? gait.twist : -gait.twist) + gait.amplitude * sum;
 }
+
+/**
+ * Initial values straight ahead at a speed.
+ *
+ * @param meta of a system that has a forward direction
+ * @param speed m/s
+ */
+export const startAt = (meta: SystemMeta, speed: number): Record<string, number> => ({
+  [meta.speed?.name ?? meta.forward!.along[0]]: speed,
+});
 
 /**
  * A scenario in which the feet do this.

@@ -1,9 +1,10 @@
 /** What a gait does once it has settled: its speed, what a metre of it costs, and the amplitude that holds a speed. */
+import { integral } from '../motion/integral.ts';
 import { caseColumns } from '../motion/caseMeasures.ts';
 import type { System } from '../model/system.ts';
 import { checkScenario } from '../scenario/schema.ts';
 import { Simulation } from '../simulation/simulation.ts';
-import { gaitScenario, type Gait } from './gait.ts';
+import { gaitScenario, startAt, type Gait } from './gait.ts';
 
 export interface GaitReport {
   gait: Gait;
@@ -53,7 +54,7 @@ export function measureGait(system: System, gait: Gait, { speed, parameters = {}
   const scenario = checkScenario(
     gaitScenario(meta, gait, {
       parameters,
-      initial: { [meta.speed?.name ?? meta.forward!.along[0]]: speed },
+      initial: startAt(meta, speed),
       duration: (settle + count) / gait.frequency,
       outputStep: 1 / (gait.frequency * ROWS),
       method: METHOD,
@@ -71,19 +72,21 @@ export function measureGait(system: System, gait: Gait, { speed, parameters = {}
     const at = simulation.columns.indexOf(name);
     return at < 0 ? undefined : columns[at]!;
   });
-  const over = (values: Float64Array): number => trapezium(column('t'), values, first, rows);
-  const time = column('t')[rows - 1]! - column('t')[first]!;
-  const distance = over(column('speed'));
+  const [t, speeds] = [column('t'), column('speed')];
+  const over = (values: Float64Array): number => integral(t, values, first, rows);
+  const time = t[rows - 1]! - t[first]!;
+  const distance = over(speeds);
   const energy = column('energy');
   const kept = energy[rows - 1]! - energy[first]!;
   const work = over(column('power')) - kept;
   const mass = massOf(system, scenario.parameters);
   const gravity = scenario.parameters['gravity'] ?? 9.81;
-  const half = first + Math.floor(count / 2) * ROWS;
-  const [early, late] = [first, half].map((from) =>
-    meanOver(column('t'), column('speed'), from, from + Math.floor(count / 2) * ROWS + 1),
-  );
-  const drift = (late! - early!) / (Math.floor(count / 2) / gait.frequency);
+  const half = Math.floor(count / 2);
+  const meanFrom = (row: number): number => {
+    const end = row + half * ROWS;
+    return integral(t, speeds, row, end + 1) / (t[end]! - t[row]!);
+  };
+  const drift = (meanFrom(first + half * ROWS) - meanFrom(first)) / (half / gait.frequency);
   const drag = meta.gait?.drag === undefined ? 0 : scenario.parameters[meta.gait.drag]!;
   return {
     gait,
@@ -92,12 +95,12 @@ export function measureGait(system: System, gait: Gait, { speed, parameters = {}
     cost: work / distance,
     grossCost: over(column('power.gross')) / distance,
     transport: work / distance / (mass * gravity),
-    torque: Math.max(
-      ...meta.gait!.feet.map((foot) =>
+    torque: meta.gait!.feet.reduce(
+      (most, foot) =>
         column(foot)
-          .slice(first)
-          .reduce((most, u) => Math.max(most, Math.abs(u)), 0),
-      ),
+          .subarray(first)
+          .reduce((so, u) => Math.max(so, Math.abs(u)), most),
+      0,
     ),
   };
 }
@@ -116,15 +119,6 @@ function massOf(system: System, parameters: Readonly<Record<string, number>>): n
   );
   return M![0]!;
 }
-
-function trapezium(t: Float64Array, values: Float64Array, from: number, to: number): number {
-  let sum = 0;
-  for (let i = from + 1; i < to; i++) sum += ((values[i]! + values[i - 1]!) / 2) * (t[i]! - t[i - 1]!);
-  return sum;
-}
-
-const meanOver = (t: Float64Array, values: Float64Array, from: number, to: number): number =>
-  trapezium(t, values, from, to) / (t[to - 1]! - t[from]!);
 
 /** A speed is met when it is within this share of it. */
 const CLOSE = 2e-4;

@@ -1,3 +1,4 @@
+import { integral } from '../motion/integral.ts';
 import { ExpressionError } from '../scenario/expressions.ts';
 import { Formula } from '../scenario/formula.ts';
 
@@ -123,16 +124,4 @@ function ofResponse(kind: Kind, t: Float64Array, values: Float64Array): number {
     return row < n ? t[row]! : NaN;
   };
   return first(RISE[1]) - first(RISE[0]);
-}
-
-/**
- * Trapezoidal rule.
- *
- * @param t s, ascending
- * @param values one for each time
- */
-export function integral(t: Float64Array, values: Float64Array): number {
-  let sum = 0;
-  for (let i = 1; i < t.length; i++) sum += 0.5 * (values[i]! + values[i - 1]!) * (t[i]! - t[i - 1]!);
-  return sum;
 }

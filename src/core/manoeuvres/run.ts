@@ -1,11 +1,12 @@
 import type { Feedback } from '../mechanics/forcing.ts';
 import type { System } from '../model/system.ts';
 import { columnsOf, groundCoordinates } from '../motion/columns.ts';
+import { integral } from '../motion/integral.ts';
 import { caseColumns } from '../motion/caseMeasures.ts';
 import type { Scenario, ScenarioFile } from '../scenario/types.ts';
 import { normal, uniform } from '../scenario/chance.ts';
 import { Simulation, type RunEnd } from '../simulation/simulation.ts';
-import { integral, reduced, valuesOf } from './measure.ts';
+import { reduced, valuesOf } from './measure.ts';
 import { patched, type CheckedTest, type Distribution } from './testFile.ts';
 
 /** A number of one run, and how that run ended. */

@@ -1,4 +1,5 @@
 import { luFactor, luSolve } from '../linalg/lu.ts';
+import { integral } from './integral.ts';
 import { recipeOf } from './recipes.ts';
 import type { SystemView } from '../model/system.ts';
 import type { Measure } from '../cases/case.ts';
@@ -46,7 +47,7 @@ export function measured(measure: Measure, column: (name: string) => Float64Arra
   const distance = (along: { x: string; y: string }): number =>
     pathLength(within(column(along.x)), within(column(along.y)));
   const energy = (spent: 'net' | 'gross'): number =>
-    integral(within(column(spent === 'net' ? 'power' : 'power.gross')), within(t));
+    integral(within(t), within(column(spent === 'net' ? 'power' : 'power.gross')));
   switch (measure.kind) {
     case 'diameter':
       return circleDiameter(within(column(measure.x)), within(column(measure.y)));
@@ -88,13 +89,6 @@ function pathLength(x: Float64Array, y: Float64Array): number {
   let length = 0;
   for (let row = 1; row < x.length; row++) length += Math.hypot(x[row]! - x[row - 1]!, y[row]! - y[row - 1]!);
   return length;
-}
-
-/** Trapezoidal rule over the rows. */
-function integral(values: Float64Array, t: Float64Array): number {
-  let sum = 0;
-  for (let row = 1; row < t.length; row++) sum += 0.5 * (values[row]! + values[row - 1]!) * (t[row]! - t[row - 1]!);
-  return sum;
 }
 
 const mean = (values: Float64Array): number => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -1,9 +1,7 @@
 import type { SystemMeta } from '../model/system.ts';
+import { leastSizes } from '../simulation/trust.ts';
 import { resample } from './resample.ts';
 import type { Trajectory } from './trajectory.ts';
-
-/** Smaller sizes count as so much: an angle in rad, a length in m. */
-const LEAST = { angle: 1, length: 0.1 } as const;
 
 export interface Parting {
   /** Time (s) up to which all runs agree to so many digits, as `simulate --verify` counts them. */
@@ -25,13 +23,14 @@ export function partingOf(meta: SystemMeta, runs: readonly Trajectory[]): Partin
   if (!first || runs.length < 2 || runs.some((run) => run.length < 2)) return null;
   const compared = Math.min(...runs.map((run) => run.end));
   // The coarsest rows: between its rows a run is only interpolated.
-  const coarsest = runs.reduce((least, run) => (run.length < least.length ? run : least), first);
+  const coarsest = runs.reduce((shortest, run) => (run.length < shortest.length ? run : shortest), first);
   const times = coarsest.column('t')!.filter((t) => t <= compared);
   if (times.length < 2) return null;
   const worst = new Float64Array(times.length);
-  for (const { name, kind } of meta.coordinates) {
+  const least = leastSizes(meta);
+  for (const [k, { name }] of meta.coordinates.entries()) {
     const values = runs.map((run) => resample(run, name, times)!);
-    let size: number = LEAST[kind];
+    let size = least[k]!;
     for (const i of times.keys()) {
       const here = values.map((column) => column[i]!);
       size = Math.max(size, ...here.map(Math.abs));

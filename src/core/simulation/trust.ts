@@ -75,6 +75,14 @@ export interface Trust {
 /** How a run ended, as far as rows beside each other are concerned. */
 type End = { reason: string };
 
+/**
+ * Sizes below which a difference of a coordinate counts as it is: 1 rad, 0.1 m, 1 of what is no length.
+ *
+ * @param meta of the system
+ */
+export const leastSizes = ({ coordinates, order }: Pick<SystemMeta, 'coordinates' | 'order'>): Float64Array =>
+  Float64Array.from(coordinates, ({ kind }) => (kind === 'length' && order !== 1 ? 0.1 : 1));
+
 /** Takes the rows of two runs as they come, and keeps no more of them than one is ahead. */
 export class DigitsMeter {
   readonly digits: [number, number][] = [];
@@ -87,10 +95,10 @@ export class DigitsMeter {
   private apart = false;
 
   /** @param against the second run's method */
-  constructor({ coordinates, order }: Pick<SystemMeta, 'coordinates' | 'order'>, against: MethodOptions) {
+  constructor(meta: Pick<SystemMeta, 'coordinates' | 'order'>, against: MethodOptions) {
     this.against = against;
-    this.n = coordinates.length;
-    this.size = Float64Array.from(coordinates, ({ kind }) => (kind === 'length' && order !== 1 ? 0.1 : 1));
+    this.n = meta.coordinates.length;
+    this.size = leastSizes(meta);
   }
 
   /** Time to which was compared, s; 0 before the first row. */

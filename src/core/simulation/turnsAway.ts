@@ -1,8 +1,15 @@
 import type { Feedback } from '../mechanics/forcing.ts';
 import type { SystemMeta } from '../model/system.ts';
 
+const TURN = 2 * Math.PI;
 /** From here on a start is on another turn, so that half a turn is a start like any other. */
-const WHOLE = 2 * Math.PI * 0.99;
+const WHOLE = 0.99 * TURN;
+
+/**
+ * @param off how far an angle is from a regulator's point, rad
+ * @returns whole turns between them; 0 up to nearly one
+ */
+export const turnsBetween = (off: number): number => (Math.abs(off) < WHOLE ? 0 : Math.round(off / TURN));
 
 /**
  * Angles that a run starts a whole turn or more from a regulator's point and that the regulator feeds back: it drives the
@@ -31,9 +38,8 @@ export function turnsAway(
   if (!point) return [];
   const at = point;
   return meta.coordinates.flatMap(({ name, kind }, i) => {
-    const off = q[i]! - at[i]!;
-    const fed = kind === 'angle' && slopes[i]! > 0;
-    return fed && Math.abs(off) >= WHOLE ? [{ name, turns: Math.round(off / (2 * Math.PI)) }] : [];
+    const turns = kind === 'angle' && slopes[i]! > 0 ? turnsBetween(q[i]! - at[i]!) : 0;
+    return turns === 0 ? [] : [{ name, turns }];
   });
 }
 

@@ -5,6 +5,7 @@
  * Derivatives are nodes of the same graph, forward (A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed., SIAM 2008,
  * section 3.1) and in reverse (section 3.2). Only what costs nothing is simplified: zeros, ones, numbers and signs.
  */
+import { HOST_FUNCTIONS_OF_ONE } from '../engine/host.ts';
 
 export const OPS = [
   'const',
@@ -43,20 +44,10 @@ export const code = Object.fromEntries(OPS.map((name, k) => [name, k])) as Recor
 
 /** Of one operand, with the value of numbers. */
 const onNumbers: Partial<Record<OpName, (x: number) => number>> = {
+  ...HOST_FUNCTIONS_OF_ONE,
   sqrt: Math.sqrt,
   sin: Math.sin,
   cos: Math.cos,
-  asin: Math.asin,
-  acos: Math.acos,
-  atan: Math.atan,
-  sinh: Math.sinh,
-  cosh: Math.cosh,
-  tanh: Math.tanh,
-  exp: Math.exp,
-  log: Math.log,
-  log10: Math.log10,
-  log2: Math.log2,
-  cbrt: Math.cbrt,
   abs: Math.abs,
   floor: Math.floor,
   ceil: Math.ceil,

@@ -1,4 +1,5 @@
 import type { Token } from '../scenario/expressions/reading.ts';
+import { RAISED, SPELLINGS } from '../scenario/expressions/spellings.ts';
 
 /** What is wrong with a description: where, and what would be right. */
 export class DescriptionError extends Error {
@@ -28,24 +29,6 @@ export interface LineToken extends Token {
   kind: TokenKind;
 }
 
-/** Characters that keyboards, documents and other programs bring, and what they stand for. */
-const SPELLINGS = new Map([
-  ['−', '-'],
-  ['–', '-'],
-  ['×', '*'],
-  ['·', '*'],
-  ['⋅', '*'],
-  ['÷', '/'],
-  ['π', 'pi'],
-  ['°', 'deg'],
-  ['º', 'deg'],
-  ['≤', '<='],
-  ['≥', '>='],
-  ['≠', '!='],
-  ['’', "'"],
-  ['′', "'"],
-]);
-const RAISED = new Map([...'⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻'].map((raised, i) => [raised, '0123456789+-'[i]!]));
 const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?['’′]?/y;
 const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
 const SIGN = /\*\*|<=|>=|==|!=|[-+*/^<>?:(),=]/y;
@@ -101,7 +84,7 @@ export function tokensOf(text: string, line: number): LineToken[] {
       continue;
     }
     const spelled = SPELLINGS.get(letter);
-    if (spelled !== undefined && spelled !== "'") {
+    if (spelled !== undefined) {
       put(/^[a-z]/.test(spelled) ? 'name' : 'sign', spelled, 1);
       continue;
     }

@@ -37,8 +37,8 @@ export function instantiate(bytes: Uint8Array<ArrayBuffer>, functions: object = 
   return new host!.Instance(new host!.Module(bytes), { host: { ...HOST_FUNCTIONS, ...functions } }).exports;
 }
 
-/** Functions that WebAssembly has no instruction for, by the names of operations on a tape. */
-export const HOST_FUNCTIONS: Readonly<Record<string, (x: number, y: number) => number>> = {
+/** Functions of one number that WebAssembly has no instruction for, by the names of operations on a tape. */
+export const HOST_FUNCTIONS_OF_ONE = {
   asin: Math.asin,
   acos: Math.acos,
   atan: Math.atan,
@@ -50,6 +50,11 @@ export const HOST_FUNCTIONS: Readonly<Record<string, (x: number, y: number) => n
   log10: Math.log10,
   log2: Math.log2,
   cbrt: Math.cbrt,
+} as const;
+
+/** Those, and those of two numbers. */
+export const HOST_FUNCTIONS: Readonly<Record<string, (x: number, y: number) => number>> = {
+  ...HOST_FUNCTIONS_OF_ONE,
   atan2: Math.atan2,
   pow: Math.pow,
 };

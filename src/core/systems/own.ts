@@ -1,6 +1,7 @@
 /** Systems that a person describes: read once for each text, known by an id like the built-in ones from then on. */
 import type { Sketch, Value } from '../geometry/drawing.ts';
 import type { System, SystemView } from '../model/system.ts';
+import type { SystemReading } from '../description/index.ts';
 import type { Model } from '../description/model.ts';
 import { descriptionIn, ownId } from '../scenario/own.ts';
 import { ScenarioError } from '../scenario/types.ts';
@@ -33,19 +34,23 @@ function keep(id: string, own: Own): Own {
  *
  * @param text of the description
  * @param views what is known of systems, by id
+ * @param reading of the same text, where whoever asks has read it already
  * @throws ScenarioError with the line and column of the first fault
  */
-export async function learn(text: string, views: Views): Promise<SystemView> {
+export async function learn(text: string, views: Views, reading?: SystemReading): Promise<SystemView> {
   const id = ownId(text);
   const before = views[id];
   if (before?.meta.description === text) return before;
   if (before) throw new ScenarioError('system.description', 'another description has the same id; change a comment');
-  return (views[id] = keep(id, await readAnew(text)).view);
+  return (views[id] = keep(id, reading ? ownIn(reading) : await readAnew(text)).view);
 }
 
 async function readAnew(text: string): Promise<Own> {
   const { readSystem } = await import('../description/index.ts');
-  const { model, faults, view } = readSystem(text);
+  return ownIn(readSystem(text));
+}
+
+function ownIn({ model, faults, view }: SystemReading): Own {
   if (!model || !view) throw new ScenarioError('system.description', faults[0]!.message);
   return { model, view };
 }

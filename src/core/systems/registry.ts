@@ -5,6 +5,7 @@
 import type { Case } from '../cases/case.ts';
 import { type Drawing, valueOf } from '../geometry/drawing.ts';
 import { LONGEST_FILE } from '../scenario/defaults.ts';
+import type { SystemReading } from '../description/index.ts';
 import { defineSystem } from '../model/defineSystem.ts';
 import type { System, SystemMeta, SystemView } from '../model/system.ts';
 import type { Tape } from '../model/tape.ts';
@@ -56,8 +57,15 @@ export const systemMetas: Readonly<Record<string, SystemMeta>> = new Proxy({} as
       : undefined,
 });
 
-/** Reads a description, whose system is known by its id from then on. @throws ScenarioError */
-export const learnSystem = (text: string): Promise<SystemView> => learn(text, systemViews);
+/**
+ * Reads a description, whose system is known by its id from then on.
+ *
+ * @param text of the description
+ * @param reading of the same text, where whoever asks has read it already
+ * @throws ScenarioError
+ */
+export const learnSystem = (text: string, reading?: SystemReading): Promise<SystemView> =>
+  learn(text, systemViews, reading);
 
 /** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
 export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, systemViews);

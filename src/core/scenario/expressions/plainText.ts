@@ -1,3 +1,4 @@
+import { RAISED, SPELLINGS } from './spellings.ts';
 import { ExpressionError } from './expressionError.ts';
 import { several, unary } from './functions.ts';
 import { refuseAmbiguous, type Token } from './reading.ts';
@@ -17,28 +18,14 @@ export const constants: ReadonlyMap<string, number> = new Map([
 
 const isFunction = (name: string): boolean => unary.has(name) || several.has(name);
 
-/** Characters that keyboards, documents and other programs bring. */
-const SPELLINGS = new Map([
-  ['−', '-'],
-  ['–', '-'],
-  ['×', '*'],
-  ['·', '*'],
-  ['⋅', '*'],
-  ['÷', '/'],
-  ['π', ' pi '],
-  ['°', ' deg '],
-  ['º', ' deg '],
-  ['≤', '<='],
-  ['≥', '>='],
-  ['≠', '!='],
+/** What stands for a character in the plain text: names apart from what is beside them. */
+const PLAIN = new Map([
+  ...[...SPELLINGS].map(([letter, plain]): [string, string] => [letter, /\w/.test(plain) ? ` ${plain} ` : plain]),
   ['\t', ' '],
   ['\u00a0', ' '],
   ['\u2009', ' '],
   ['\u202f', ' '],
 ]);
-
-/** Raised digits and signs: a run of them is one exponent. */
-const RAISED = new Map([...'⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻'].map((raised, i) => [raised, '0123456789+-'[i]!]));
 
 const TOKEN = /\s+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[A-Za-z_]\w*|<=|>=|==|!=|[-+*/^<>?:(),]/y;
 
@@ -80,7 +67,7 @@ export function plainText(original: string, variables: readonly string[]): Plain
   const from: number[] = [];
   for (let i = 0; i < original.length; i++) {
     const start = i;
-    let piece = SPELLINGS.get(original[i]!) ?? original[i]!;
+    let piece = PLAIN.get(original[i]!) ?? original[i]!;
     if (original.startsWith('**', i)) {
       piece = '^';
       i++;

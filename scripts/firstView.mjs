@@ -36,7 +36,19 @@ export function firstView(chunks) {
     if (!holder) throw new Plain(`no file of dist holds ${module}.`);
     queue.push(holder);
   }
-  const files = new Set(['index.html', ...named.filter((file) => !file.endsWith('.js'))]);
+  return new Set(['index.html', ...named.filter((file) => !file.endsWith('.js')), ...withImports(chunks, queue)]);
+}
+
+/**
+ * Files with what they import at once and are styled by, and that in turn.
+ *
+ * @param {Readonly<Record<string, { imports: readonly string[], styles: readonly string[] }>>} chunks
+ * @param {readonly string[]} from paths in `dist`
+ * @returns {Set<string>} paths in `dist`
+ */
+export function withImports(chunks, from) {
+  const files = new Set();
+  const queue = [...from];
   for (let file = queue.pop(); file; file = queue.pop()) {
     if (files.has(file)) continue;
     files.add(file);

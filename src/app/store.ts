@@ -185,7 +185,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     stepRows: byHand(stepRows),
     setLoading: fileState.actions.setLoading,
     setMeshes: fileState.actions.setMeshes,
-    start: () => runs.first(!preferences.reducedMotion),
+    start: () => runs.run(!preferences.reducedMotion, true),
     run() {
       const wrong = [...state.refusedFields.peek().keys(), ...draftErrors.peek().keys()][0];
       if (wrong !== undefined) return goToField(wrong);

@@ -8,8 +8,9 @@ import { openPage } from './helpers.ts';
 test.use({ contextOptions: { reducedMotion: 'no-preference' } });
 
 test('until the first moving frame nothing is loaded that is not counted', async ({ page, baseURL }) => {
-  const { firstView } = (await import(new URL('../../scripts/firstView.mjs', import.meta.url).href)) as {
+  const { firstView, withImports } = (await import(new URL('../../scripts/firstView.mjs', import.meta.url).href)) as {
     firstView(chunks: Readonly<Record<string, Chunk>>): ReadonlySet<string>;
+    withImports(chunks: Readonly<Record<string, Chunk>>, from: readonly string[]): ReadonlySet<string>;
   };
   const list = new URL('../../.cache/chunks.json', import.meta.url);
   const { chunks } = JSON.parse(readFileSync(list, 'utf8')) as { chunks: Record<string, Chunk> };
@@ -23,21 +24,11 @@ test('until the first moving frame nothing is loaded that is not counted', async
   // The service worker is registered a second after the run, before or after the first moving frame.
   // What the next run takes is loaded after the first has ended: on a slow machine perhaps before its motion is seen.
   const first = firstView(chunks);
-  const next = filesWith(chunks, [/simulation\/everyMotion\.ts$/, /ripstik\/accelerations\.generated\.json$/]);
+  const NEXT = /simulation\/everyMotion\.ts$|ripstik\/accelerations\.generated\.json$/;
+  const holders = Object.keys(chunks).filter((file) =>
+    Object.keys(chunks[file]!.modules).some((one) => NEXT.test(one)),
+  );
+  const next = withImports(chunks, holders);
   const counted = (file: string) => first.has(file) || !next.has(file);
   await expect.poll(() => [...loaded].filter(counted).sort()).toEqual([...first].sort());
 });
-
-/** The files that hold modules, and what these import at once. */
-function filesWith(chunks: Readonly<Record<string, Chunk>>, modules: readonly RegExp[]): ReadonlySet<string> {
-  const queue = Object.keys(chunks).filter((file) =>
-    Object.keys(chunks[file]!.modules).some((module) => modules.some((name) => name.test(module))),
-  );
-  const files = new Set<string>();
-  for (let file = queue.pop(); file !== undefined; file = queue.pop()) {
-    if (files.has(file)) continue;
-    files.add(file);
-    queue.push(...(chunks[file]?.imports ?? []));
-  }
-  return files;
-}

@@ -143,29 +143,20 @@ export class FileOpener {
   /** A description by itself: everything at its default. */
   private async readSystem(name: string, text: string): Promise<void> {
     const { meta } = await learnSystem(text.replace(/^\ufeff/, ''));
-    const scenario: ScenarioFile = { version: 1, system: meta.id };
-    this.context.messages.report(
-      'info',
-      `Opened ${name}`,
-      ['The system is in the panel and running.'],
-      undefined,
-      'opened',
-    );
-    this.context.openScenario(ownCase(meta.title, scenario), scenario);
+    this.run(name, 'system', meta.title, { version: 1, system: meta.id });
   }
 
   private async readScenario(name: string, text: string): Promise<void> {
     await learnSystemIn(text);
     parseScenario(text, this.context.metas);
     const scenario = settled(JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile);
-    this.context.messages.report(
-      'info',
-      `Opened ${name}`,
-      ['The scenario is in the panel and running.'],
-      undefined,
-      'opened',
-    );
-    this.context.openScenario(ownCase(name.replace(/\.json$/i, ''), scenario), scenario);
+    this.run(name, 'scenario', name.replace(/\.json$/i, ''), scenario);
+  }
+
+  private run(name: string, what: 'system' | 'scenario', title: string, scenario: ScenarioFile): void {
+    const said = `The ${what} is in the panel and running.`;
+    this.context.messages.report('info', `Opened ${name}`, [said], undefined, 'opened');
+    this.context.openScenario(ownCase(title, scenario), scenario);
   }
 
   /** With what was chosen for files of its shape; asks first where it has to. */

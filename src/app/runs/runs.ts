@@ -96,12 +96,11 @@ export class Runs {
     settle();
   }
 
-  /** The first run after the page is opened: what is soonest seen counts. */
-  first(autoplay: boolean): void {
-    this.run(autoplay, true);
-  }
-
-  /** Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was. */
+  /**
+   * Runs the draft, playing it as it comes unless told not to; a refusal leaves everything as it was.
+   *
+   * @param soonest the first rows matter more than the last, as after the page is opened
+   */
   run(autoplay = true, soonest = false): void {
     const draft = this.context.experiment.draft.peek();
     if (this.plays(draft, autoplay)) return;

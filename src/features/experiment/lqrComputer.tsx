@@ -1,6 +1,5 @@
 /** The computer that runs the regulator: sample time, delay, design; and what they make of the loop, in words. */
-import { effect, useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
+import { useSignal } from '@preact/signals';
 import type { Answer } from '../../app/app.ts';
 import { MathSymbol } from '../../charts/textView.tsx';
 import type { ComputerReport } from '../../core/control/sampled/computerReport.ts';
@@ -11,10 +10,8 @@ import { ProgramField } from './lqrProgram.tsx';
 import { Margins } from './lqrMargins.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
+import { useRestedRegulator } from './useRestedRegulator.ts';
 import { lqrWords as words } from './words.ts';
-
-/** Margins take longer than the gain: they are asked for once the weights rest so long, ms. */
-const REST_MS = 300;
 
 interface Props {
   control: LqrControl;
@@ -88,23 +85,11 @@ export function ComputerFields({ control, change }: Props) {
 function ComputerReadout() {
   const { app } = useUi();
   const answer = useSignal<Answer<ComputerReport> | null>(null);
-  useEffect(() => {
-    let timer = 0;
-    const stop = effect(() => {
-      const draft = app.state.draft.value;
-      clearTimeout(timer);
-      if (draft.control?.type !== 'lqr') return;
-      timer = window.setTimeout(() => {
-        void app.control.computer(draft, 'computer').then((found) => {
-          if (found) answer.value = found;
-        });
-      }, REST_MS);
+  useRestedRegulator((draft) => {
+    void app.control.computer(draft, 'computer').then((found) => {
+      if (found) answer.value = found;
     });
-    return () => {
-      clearTimeout(timer);
-      stop();
-    };
-  }, []);
+  });
   // What keeps the design from being had stands in the readout above.
   if (!answer.value?.ok) return null;
   const { margins, sampled, estimator } = answer.value.value;

@@ -1,7 +1,6 @@
 /** What the regulator does in a whole run, beside what it did before the last change: largest inputs, work, cost. */
-import { batch, effect, useSignal } from '@preact/signals';
+import { batch, useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { useEffect } from 'preact/hooks';
 import { sameContent } from '../../app/state/draft.ts';
 import { MathSymbol } from '../../charts/textView.tsx';
 import type { RegulatorEffect } from '../../core/control/design/effect.ts';
@@ -10,10 +9,8 @@ import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
 import { Term } from '../../ui/kit/term.tsx';
 import { text } from '../../ui/words.ts';
+import { useRestedRegulator } from './useRestedRegulator.ts';
 import { lqrWords as words } from './words.ts';
-
-/** A change is one once it rests so long, ms. */
-const REST_MS = 300;
 
 interface Known {
   draft: ScenarioFile;
@@ -26,32 +23,25 @@ export function LqrEffect() {
   const now = useSignal<Known | null>(null);
   const before = useSignal<Known | null>(null);
   const waiting = useSignal(true);
-  useEffect(() => {
-    let timer = 0;
-    const stop = effect(() => {
-      const draft = app.state.draft.value;
-      clearTimeout(timer);
-      if (draft.control?.type !== 'lqr') return;
-      waiting.value = true;
-      app.effect.forget('panel');
-      timer = window.setTimeout(() => {
-        void app.effect.effect(draft, 'panel').then((found) => {
-          if (!found) return;
-          batch(() => {
-            waiting.value = false;
-            if (!found.ok) return;
-            if (now.peek() && !sameContent(now.peek()!.draft, draft)) before.value = now.peek();
-            now.value = { draft, effect: found.value };
-          });
+  const forget = (): void => app.effect.forget('panel');
+  useRestedRegulator(
+    (draft) => {
+      void app.effect.effect(draft, 'panel').then((found) => {
+        if (!found) return;
+        batch(() => {
+          waiting.value = false;
+          if (!found.ok) return;
+          if (now.peek() && !sameContent(now.peek()!.draft, draft)) before.value = now.peek();
+          now.value = { draft, effect: found.value };
         });
-      }, REST_MS);
-    });
-    return () => {
-      clearTimeout(timer);
-      stop();
-      app.effect.forget('panel');
-    };
-  }, []);
+      });
+    },
+    () => {
+      waiting.value = true;
+      forget();
+    },
+    forget,
+  );
   if (!now.value) return <p class="hint">{words.trying}</p>;
   const [present, earlier] = [now.value.effect, before.value?.effect];
   const inputs = new Map(meta.inputs.map((input) => [input.name, input]));

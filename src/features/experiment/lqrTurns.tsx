@@ -2,14 +2,11 @@
 import { MathSymbol } from '../../charts/textView.tsx';
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { LqrControl, ScenarioFile } from '../../core/scenario/types.ts';
+import { turnsBetween } from '../../core/simulation/turnsAway.ts';
 import { withEntry } from '../../app/state/draft.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 import { lqrWords } from './words.ts';
-
-const TURN = 2 * Math.PI;
-/** Half a turn away is a start like any other. */
-const WHOLE = 0.99 * TURN;
 
 interface Away {
   name: string;
@@ -25,8 +22,8 @@ export function anglesAway(meta: SystemMeta, draft: ScenarioFile, control: LqrCo
     .filter(({ kind, name }) => kind === 'angle' && !draft.hold?.includes(name))
     .flatMap(({ name, symbol, label, rest = 0 }) => {
       const start = numberOf(draft.initial?.[name], rest);
-      const off = start - numberOf(control.at?.[name], rest);
-      return Math.abs(off) < WHOLE ? [] : [{ name, symbol, label, same: start - TURN * Math.round(off / TURN) }];
+      const turns = turnsBetween(start - numberOf(control.at?.[name], rest));
+      return turns === 0 ? [] : [{ name, symbol, label, same: start - 2 * Math.PI * turns }];
     });
 }
 

@@ -1,7 +1,7 @@
 /** How feet sway, as sliders and a footprint that the board on the stage follows; what a metre costs, and the cheapest gait. */
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { gaitScenario, plainGait, type Gait } from '../../core/gait/gait.ts';
+import { gaitScenario, plainGait, USUAL_DRAG, type Gait } from '../../core/gait/gait.ts';
 import type { GaitReport } from '../../core/gait/measureGait.ts';
 import { SEARCH, type SearchState } from '../../core/gait/optimiseGait.ts';
 import type { SystemView } from '../../core/model/system.ts';
@@ -14,8 +14,6 @@ import { Footprint } from './footprint.tsx';
 import './gaits.css';
 import { words } from './words.ts';
 
-/** What the figures take where the wheels have no drag, N·s/m a wheel. */
-const USUAL_DRAG = 0.5;
 const DEGREE = Math.PI / 180;
 
 type Standing = { kind: 'idle' } | { kind: 'searching'; state: SearchState } | { kind: 'failed'; message: string };
@@ -57,23 +55,16 @@ function ridden(system: SystemView, draft: ScenarioFile, gait: Gait): ScenarioFi
 
 function Sway({ gait, onChange }: { gait: Gait; onChange(gait: Gait): void }) {
   const row = (key: 'amplitude' | 'frequency' | 'phase' | 'bias' | 'twist', max: number, min: number, step: number) => {
-    const angle = key !== 'frequency';
-    const shown = angle ? gait[key] / DEGREE : gait[key];
+    const scale = key === 'frequency' ? 1 : DEGREE;
     return (
-      <label class="gaits-row">
-        <span>{words[key]}</span>
-        <output>{angle ? formatQuantity(gait[key], '°') : formatQuantity(gait[key], 'Hz')}</output>
-        <input
-          type="range"
-          min={min}
-          max={max}
-          step={step}
-          value={shown}
-          data-testid={`gait-${key}`}
-          aria-valuetext={angle ? formatQuantity(gait[key], '°') : formatQuantity(gait[key], 'Hz')}
-          onInput={(event) => onChange({ ...gait, [key]: Number(event.currentTarget.value) * (angle ? DEGREE : 1) })}
-        />
-      </label>
+      <Range
+        label={words[key]}
+        value={gait[key] / scale}
+        shown={formatQuantity(gait[key], key === 'frequency' ? 'Hz' : '°')}
+        {...{ min, max, step }}
+        testId={`gait-${key}`}
+        onInput={(value) => onChange({ ...gait, [key]: value * scale })}
+      />
     );
   };
   return (
@@ -84,6 +75,39 @@ function Sway({ gait, onChange }: { gait: Gait; onChange(gait: Gait): void }) {
       {row('bias', 15, -15, 0.1)}
       {row('twist', 15, -15, 0.1)}
     </>
+  );
+}
+
+/** A number by its slider, in the unit that is shown. */
+function Range({
+  label,
+  shown,
+  testId,
+  onInput,
+  ...range
+}: {
+  label: string;
+  value: number;
+  shown: string;
+  min: number;
+  max: number;
+  step: number;
+  testId: string;
+  onInput(value: number): void;
+}) {
+  return (
+    <label class="gaits-row">
+      <span>{label}</span>
+      <output>{shown}</output>
+      <input
+        type="range"
+        class="slider"
+        {...range}
+        data-testid={testId}
+        aria-valuetext={shown}
+        onInput={(event) => onInput(Number(event.currentTarget.value))}
+      />
+    </label>
   );
 }
 
@@ -122,22 +146,18 @@ function Cost({ system, gait, onUse }: { system: SystemView; gait: Gait; onUse(g
   return (
     <Section title={words.cost} open>
       {given === 0 && <p class="hint">{words.noDrag(words.drag(formatShort(USUAL_DRAG)))}</p>}
-      <label class="gaits-row">
-        <span>{words.speed}</span>
-        <output>{formatQuantity(speed.value, 'm/s')}</output>
-        <input
-          type="range"
-          min={0.3}
-          max={3}
-          step={0.1}
-          value={speed.value}
-          data-testid="gait-speed"
-          aria-valuetext={formatQuantity(speed.value, 'm/s')}
-          onInput={(event) => {
-            speed.value = Number(event.currentTarget.value);
-          }}
-        />
-      </label>
+      <Range
+        label={words.speed}
+        value={speed.value}
+        shown={formatQuantity(speed.value, 'm/s')}
+        min={0.3}
+        max={3}
+        step={0.1}
+        testId="gait-speed"
+        onInput={(value) => {
+          speed.value = value;
+        }}
+      />
       <Check
         label={words.harmonics}
         checked={harmonics.value}

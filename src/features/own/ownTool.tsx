@@ -49,7 +49,7 @@ export function OwnTool() {
     else if (!reading.view) standing.value = { kind: 'faults', faults: reading.faults };
     else
       try {
-        const { meta } = await learnSystem(text);
+        const { meta } = await learnSystem(text, reading);
         // Another key was pressed meanwhile.
         if (editor.current?.text !== text) return;
         standing.value = { kind: 'fine', title: meta.title };

@@ -92,12 +92,20 @@ function programC(program: ControllerProgram): string {
   ].join('\n');
 }
 
+/** Columns of each matrix, which a matrix without rows does not tell. */
+const columnsOf = ({ A, measured }: ControllerProgram): Record<(typeof NAMES)[number], number> => ({
+  A: A.length,
+  B: measured.length,
+  C: A.length,
+  D: measured.length,
+});
+
 function programPython(program: ControllerProgram): string {
   const { measured, inputs, test } = program;
   const array = (name: string, M: readonly (readonly number[])[], columns: number): string =>
     `${name} = np.array([${M.map((row) => `\n    [${row.map(digits).join(', ')}],`).join('')}\n]).reshape(${M.length}, ${columns})`;
   const n = program.A.length;
-  const columns = { A: n, B: measured.length, C: n, D: measured.length };
+  const columns = columnsOf(program);
   return [
     ...heading(program).map((line) => `# ${line}`),
     'import numpy as np',
@@ -134,7 +142,7 @@ function programMatlab(program: ControllerProgram): string {
     M.length === 0 || columns === 0
       ? `${name} = zeros(${M.length}, ${columns});`
       : `${name} = [\n${M.map((row) => `  ${row.map(digits).join(', ')}`).join(';\n')}\n];`;
-  const columns = { A: n, B: measured.length, C: n, D: measured.length };
+  const columns = columnsOf(program);
   return [
     ...heading(program).map((line) => `% ${line}`),
     ...NAMES.map((name) => matrix(name, program[name], columns[name])),

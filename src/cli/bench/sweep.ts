@@ -1,15 +1,15 @@
 import '../../core/simulation/everyMotion.ts';
 import { RunMeasurer, type SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import type { EngineId, ScenarioFile } from '../../core/scenario/types.ts';
-import { Simulation } from '../../core/simulation/simulation.ts';
+import { RepeatedRuns } from '../../core/simulation/repeatedRuns.ts';
 import { systems } from '../../core/systems/all.ts';
 import type { Caller, Job } from './apart.ts';
 import { Checksum, processorTime, settle } from './measure.ts';
 import { scenarioOf } from './states.ts';
 import { caseNamed } from './stepping.ts';
 
-/** Leans at the start, deg. */
-const [FROM, TO] = [5, 15];
+/** Leans at the start, rad: 5 to 15 degrees. */
+const [FROM, TO] = [Math.PI / 36, Math.PI / 12];
 const MEASURE: SweepMeasure = { kind: 'end', column: 'alpha_fp' };
 /** The same sweep again; the least time counts. */
 const REPEATS = 5;
@@ -29,7 +29,7 @@ export interface SweepReport {
 export function fileOf(run: number, runs: number, engine: EngineId): ScenarioFile {
   return {
     ...caseNamed('falling-report'),
-    initial: { alpha: `${FROM + ((TO - FROM) * run) / (runs - 1)} deg` },
+    initial: { alpha: FROM + ((TO - FROM) * run) / (runs - 1) },
     duration: 1,
     method: { name: 'dopri5', ...TOLERANCES, engine },
   };
@@ -69,12 +69,14 @@ export const sweepJob: Job<[number, EngineId], { perRun: number; steps: number; 
   },
 };
 
+const repeated = new RepeatedRuns();
+
 function measured(file: ScenarioFile) {
   const checked = scenarioOf(file);
   // The measure is in the last row alone.
   const scenario = { ...checked, outputStep: checked.duration };
   const system = systems[scenario.system]!;
-  const simulation = new Simulation(scenario, system, { extras: [] });
+  const simulation = repeated.next(scenario, system, { extras: [] });
   const measurer = new RunMeasurer(system, scenario.parameters, simulation.columns, [MEASURE], simulation.q);
   simulation.advance(() => false);
   const { columns, rows } = simulation.takeChunk();

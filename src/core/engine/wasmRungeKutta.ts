@@ -46,6 +46,8 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
   /** How many are to be computed next time. */
   private count = FIRST_AHEAD;
   private denseMade = false;
+  /** The parameters may have changed since they were brought to the memory. */
+  private stale = true;
 
   constructor(problem: OdeProblem, options: StepperOptions, tableau: EmbeddedTableau, work: Work) {
     super(problem, options, tableau);
@@ -60,6 +62,7 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
 
   override reset(t: number, y: Float64Array): void {
     super.reset(t, y);
+    this.stale = true;
     this.at = -1;
     this.ahead = 0;
   }
@@ -167,7 +170,9 @@ export class WasmRungeKutta extends EmbeddedRungeKutta implements Tenant {
 
   claim(): void {
     const { machine, memory, work } = this;
-    if (machine.takenBy(this)) memory.set(work.constants, machine.layout.constants);
+    if (!machine.takenBy(this) && !this.stale) return;
+    memory.set(work.constants, machine.layout.constants);
+    this.stale = false;
   }
 
   /** Projects states of the same dynamics, where no forces act. */

@@ -46,6 +46,7 @@ const UNREACHABLE = 1e-11;
  * @param constraintSet id
  * @param hold positions of coordinates that are held
  * @param initial coordinates and rates by name, SI
+ * @param at the system with these parameters and nothing acting on it, where there is one already
  * @throws StartError when the ground can't be reached or the constraints are dependent at the start
  */
 export function consistentStart(
@@ -54,6 +55,7 @@ export function consistentStart(
   constraintSet: string,
   hold: readonly number[],
   initial: Readonly<Record<string, number>>,
+  at?: ConstrainedSystem,
 ): ConsistentStart {
   const { coordinates } = system.meta;
   const q = Float64Array.from(coordinates, (c) => initial[c.name] ?? c.rest ?? 0);
@@ -71,9 +73,12 @@ export function consistentStart(
   };
   standStill();
 
-  const dynamics = new ConstrainedSystem(system, parameters, constraintSet, hold, null);
+  const dynamics = at ?? new ConstrainedSystem(system, parameters, constraintSet, hold, null);
   const contact = dynamics.constraints?.contact;
-  if (contact) solveContact(system, parameters, constraintSet, contact, q);
+  if (contact) {
+    const free = hold.length > 0 ? new ConstrainedSystem(system, parameters, constraintSet, [], null) : dynamics;
+    solveContact(free, contact, q);
+  }
   if (dynamics.m > 0) {
     const free = coordinates.map((c, i) => !hold.includes(i) && initial[`${c.name}_dot`] === undefined);
     if (!moveFree(dynamics, q, v, free)) {
@@ -114,14 +119,8 @@ function adjustmentsOf(
 }
 
 /** Damped Newton for as many coordinates as there are contact heights; their gradients are rows of Omega. */
-function solveContact(
-  system: System,
-  parameters: Float64Array,
-  set: string,
-  contact: ContactMeta,
-  q: Float64Array,
-): void {
-  const dynamics = new ConstrainedSystem(system, parameters, set, [], null);
+function solveContact(dynamics: ConstrainedSystem, contact: ContactMeta, q: Float64Array): void {
+  const { system } = dynamics;
   const index = contact.solveFor.map((name) => system.meta.coordinates.findIndex((c) => c.name === name));
   const k = contact.count;
   const zero = new Float64Array(q.length);
@@ -153,7 +152,7 @@ function solveContact(
   }
   // Rounding of heights made of terms of about a metre.
   if (!(size < 1e-12)) {
-    const points = system.meta.constraintSets.find(({ id }) => id === set)?.contact?.points;
+    const points = system.meta.constraintSets.find(({ id }) => id === dynamics.constraints?.id)?.contact?.points;
     throw new StartError(
       `no ${contact.solveFor.join(' and ')} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude, or choose constraints "none"`,
     );

@@ -244,6 +244,20 @@ export class ConstrainedSystem {
     return done;
   }
 
+  /**
+   * Takes other values of the parameters, in the order of the meta, into `parameters`.
+   * @returns whether it can: which forces act may not depend on them
+   */
+  renew(values: ArrayLike<number>): boolean {
+    const { direct } = this;
+    if (direct && (direct.forced || direct.direct.optional?.active(Float64Array.from(values)))) return false;
+    this.parameters.set(values);
+    direct?.renew();
+    this.forget();
+    this.failure = null;
+    return true;
+  }
+
   /** What acts from outside changed: nothing at hand is of this moment any more. */
   forget(): void {
     this.prepared = 'no';

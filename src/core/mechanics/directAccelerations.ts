@@ -36,7 +36,7 @@ export class DirectAccelerations {
     this.forcing = forcing;
     this.forced = forcing !== null || (direct.optional?.active(parameters) ?? false);
     this.constants = new Float64Array(direct.constantCount);
-    direct.prepare(parameters, this.constants);
+    this.renew();
     this.force = new Float64Array(n);
     this.factors = new Float64Array(direct.factorCount);
     this.rate = new Float64Array(2 * n);
@@ -44,6 +44,11 @@ export class DirectAccelerations {
     this.y = new Float64Array(2 * n);
     this.q = this.y.subarray(0, n);
     this.v = this.y.subarray(n);
+  }
+
+  /** The parameters' values have changed. */
+  renew(): void {
+    this.direct.prepare(this.parameters, this.constants);
   }
 
   /** Whether q and v are the state last evaluated: the determinant is theirs. */

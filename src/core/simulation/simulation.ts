@@ -16,7 +16,7 @@ import type { EngineId, Scenario } from '../scenario/types.ts';
 import { dependentWords, singularMassWords, type System } from '../model/system.ts';
 import { methods } from '../integrators/methods.ts';
 import { DEFAULT_STEP } from '../integrators/shared/fixedStepper.ts';
-import { motionOf } from './motion.ts';
+import { MULTIPLIERS, motionOf } from './motion.ts';
 import { turnsAway, turnWarnings } from './turnsAway.ts';
 import type { Push, PushRecord } from './push.ts';
 import { PushForce, together } from './pushForce.ts';
@@ -89,8 +89,8 @@ export const PAGE_COLUMNS = [...EXTRA_COLUMNS, 'energy-parts'] as const;
  */
 export class Simulation {
   readonly columns: readonly string[];
-  readonly adjustments: readonly StartAdjustment[];
-  readonly notes: readonly string[];
+  adjustments: readonly StartAdjustment[];
+  notes: readonly string[];
   /** Why the run is not to be trusted as it is. */
   readonly warnings: readonly string[];
   /** What computes the steps: the scenario's choice, or the fastest there is; TypeScript where WebAssembly does not serve. */
@@ -104,7 +104,7 @@ export class Simulation {
   /** Rows waiting in the chunk. */
   rows = 0;
 
-  private readonly scenario: Scenario;
+  private scenario: Scenario;
   private readonly system: System;
   private readonly n: number;
   /** As the formulas stand, for rows. */
@@ -134,7 +134,7 @@ export class Simulation {
   private readonly lambda: Float64Array;
   private readonly u: Float64Array;
   private readonly energies = new Float64Array(2);
-  private readonly balance: EnergyBalance;
+  private balance: EnergyBalance;
   /** State at the end of the last step, and at a time within it. */
   private readonly endQ: Float64Array;
   private readonly endV: Float64Array;
@@ -208,13 +208,7 @@ export class Simulation {
     const { engine, map, stepper, problem, rowProjection } = motionOf(scenario.method, this.dynamics);
     this.rowProjection = rowProjection?.(this.rowDynamics) ?? new Projection(this.rowDynamics);
     this.engine = engine;
-    this.notes =
-      scenario.method.engine === 'wasm' && engine !== 'wasm'
-        ? [
-            ...start.notes,
-            'computed by TypeScript: WebAssembly serves explicit pairs on multipliers, nothing held, where the host compiles it',
-          ]
-        : start.notes;
+    this.notes = [...start.notes, ...this.engineNotes()];
     this.formulation = this.charts?.map(map) ?? map;
     this.stepper = stepper;
     this.projecting = scenario.method.projection && this.dynamics.m > 0;
@@ -226,6 +220,36 @@ export class Simulation {
       this.rows = 0;
       this.emitted = Math.round(from.time / scenario.outputStep) + 1;
     }
+  }
+
+  /**
+   * Begins anew with another scenario that differs in parameters and start alone: what a sweep does a thousand times, without
+   * building everything again. Rows that were not taken are gone.
+   * @returns whether it did; else a new simulation has to be constructed
+   * @throws StartError
+   */
+  again(scenario: Scenario): boolean {
+    const { system, dynamics, rowDynamics, hand, actuation, charts } = this;
+    const { name, formulation = MULTIPLIERS } = scenario.method;
+    if (hand || charts || actuation.forcing || system.firstOrder || name === 'ida' || formulation !== MULTIPLIERS)
+      return false;
+    if (scenario.hold.length > 0 || frameOf(scenario) !== frameOf(this.scenario)) return false;
+    const values = system.meta.parameters.map((p) => scenario.parameters[p.name]!);
+    if (!dynamics.renew(values) || !rowDynamics.renew(values)) return false;
+    const start = consistentStart(system, dynamics.parameters, scenario.constraints, [], scenario.initial, rowDynamics);
+    rowDynamics.forget();
+    this.scenario = scenario;
+    this.adjustments = start.adjustments;
+    this.notes = [...start.notes, ...this.engineNotes()];
+    this.q.set(start.q);
+    this.v.set(start.v);
+    this.balance = new EnergyBalance(null, this.n);
+    Object.assign(this.earlier, zeroCounters());
+    this.end = null;
+    this.horizon = Infinity;
+    this.rows = this.emitted = this.largestResidual = 0;
+    this.begin(0);
+    return true;
   }
 
   get time(): number {
@@ -283,6 +307,13 @@ export class Simulation {
   /** Ends the run from outside, keeping everything computed. */
   stop(reason: string, message: string, time = this.stepper.t): void {
     this.end ??= { reason, message, time };
+  }
+
+  private engineNotes(): string[] {
+    if (this.scenario.method.engine !== 'wasm' || this.engine === 'wasm') return [];
+    return [
+      'computed by TypeScript: WebAssembly serves explicit pairs on multipliers, nothing held, where the host compiles it',
+    ];
   }
 
   private begin(time: number): void {
@@ -601,6 +632,11 @@ export class Simulation {
       return grown;
     });
   }
+}
+
+/** All of a scenario but its parameters and start. */
+function frameOf(scenario: Scenario): string {
+  return JSON.stringify({ ...scenario, parameters: null, parameterSet: null, initial: null });
 }
 
 /** The step of a method that has no other; null for one that chooses its steps. */

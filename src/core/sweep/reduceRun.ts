@@ -2,10 +2,14 @@ import type { Feedback } from '../mechanics/forcing.ts';
 import type { System } from '../model/system.ts';
 import { extrasFor, needsRows, RunMeasurer, type SweepMeasure } from '../motion/sweepMeasures.ts';
 import type { EngineId, Scenario } from '../scenario/types.ts';
-import { Simulation, type RunCounts, type RunEnd } from '../simulation/simulation.ts';
+import { RepeatedRuns } from '../simulation/repeatedRuns.ts';
+import type { RunCounts, RunEnd } from '../simulation/simulation.ts';
 
 /** Rows after which they are measured and let go. */
 const CHUNK_ROWS = 2048;
+
+/** One run is over before the next one begins. */
+const runs = new RepeatedRuns();
 
 export interface Reduced {
   /** One number a measure, NaN where the run has none. */
@@ -43,7 +47,7 @@ export function reduceRun(
 ): Reduced {
   const scenario = needsRows(measures, system.meta) ? checked : { ...checked, outputStep: checked.duration };
   const from = now();
-  const simulation = new Simulation(scenario, system, { extras: extrasFor(measures), feedback });
+  const simulation = runs.next(scenario, system, { extras: extrasFor(measures), feedback });
   const measurer = new RunMeasurer(system, scenario.parameters, simulation.columns, measures, simulation.q);
   const take = (): void => {
     const { columns, rows } = simulation.takeChunk();

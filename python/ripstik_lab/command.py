@@ -71,7 +71,7 @@ def _installed() -> str | None:
     if package is None or package.origin is None:
         return None
     folder = Path(package.origin).parent
-    return shutil.which(folder / "node.exe" if os.name == "nt" else folder / "bin" / "node")
+    return shutil.which(str(folder / "node.exe" if os.name == "nt" else folder / "bin" / "node"))
 
 
 @functools.lru_cache(maxsize=None)

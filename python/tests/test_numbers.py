@@ -11,6 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ripstik_lab import RipstikError, Scenario, linearize, simulate, sweep
+from ripstik_lab.command import node
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/own-systems.md"
@@ -33,7 +34,7 @@ STUDY = {
 def command(*arguments, document):
     """Standard output of the repository's own command line, run from its sources."""
     given = json.dumps(document)
-    line = ["node", "--import", "tsx", "src/cli/main.ts", *arguments]
+    line = [node(), "--import", "tsx", "src/cli/main.ts", *arguments]
     return subprocess.run(line, cwd=ROOT, input=given, capture_output=True, encoding="utf-8", check=True).stdout
 
 

@@ -3,12 +3,11 @@ import { ScenarioError } from '../core/scenario/types.ts';
 import { written } from '../core/scenario/own.ts';
 import { systemMetas, systemViews } from '../core/systems/registry.ts';
 import type { App, AppActions, AppState } from './app.ts';
-import { CsvExport } from './files/csvExport.ts';
 import { download } from './files/download.ts';
 import { createExportService } from './files/exportService.ts';
-import { FileOpener } from './files/fileOpener.ts';
 import { createFileState } from './files/fileState.ts';
 import { samples } from './files/samples.ts';
+import { later } from './later.ts';
 import { createPush } from './push/pushState.ts';
 import type { Comparison } from './runs/comparison.ts';
 import { LiveRuns } from './runs/live.ts';
@@ -67,7 +66,14 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
   const fileState = createFileState();
 
   const trust = new TrustKeeper({ stage: stage.state, draft: experiment.state.draft, client: compute.trust });
-  const csvExport = new CsvExport({ ...stage.state, ...trust.state }, fileState.actions, compute.csv, messages.actions);
+  const csvExport = later(
+    () =>
+      import('./files/csvExport.ts').then(
+        ({ CsvExport }) =>
+          new CsvExport({ ...stage.state, ...trust.state }, fileState.actions, compute.csv, messages.actions),
+      ),
+    messages.actions,
+  );
   const runs = new Runs({
     stage,
     experiment: experiment.state,
@@ -124,23 +130,26 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     live.stay();
     runs.run(autoplay);
   };
-  const files = new FileOpener({
-    files: fileState,
-    stage: stage.state,
-    experiment: experiment.state,
-    csv: compute.csv,
-    messages: messages.actions,
-    metas: systemMetas,
-    show: (motion) => runs.show(motion),
-    showAgain(motion) {
-      const [time, playing] = [playback.state.time.peek(), playback.state.playing.peek()];
-      runs.show(motion);
-      playback.actions.seek(time);
-      playback.actions.setPlaying(playing);
-    },
-    settings,
-    openScenario,
-  });
+  const files = later(async () => {
+    const { FileOpener } = await import('./files/fileOpener.ts');
+    return new FileOpener({
+      files: fileState,
+      stage: stage.state,
+      experiment: experiment.state,
+      csv: compute.csv,
+      messages: messages.actions,
+      metas: systemMetas,
+      show: (motion) => runs.show(motion),
+      showAgain(motion) {
+        const [time, playing] = [playback.state.time.peek(), playback.state.playing.peek()];
+        runs.show(motion);
+        playback.actions.seek(time);
+        playback.actions.setPlaying(playing);
+      },
+      settings,
+      openScenario,
+    });
+  }, messages.actions);
 
   const state: AppState = {
     ...experiment.state,
@@ -216,15 +225,15 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
       restore(current.origin.title, current, all);
       history.actions.forget();
     },
-    openFiles: (list) => void files.open(list),
-    cancelReading: () => files.cancel(),
-    openSample: (id) => void files.openSample(id, samples),
-    openFile: (name, file, choices) => files.openFile(name, file, choices),
-    answerPending: (choices) => files.answerPending(choices),
-    keepReading: () => files.keepReading(),
-    readAgain: (change) => void files.readAgain(change),
-    exportCsv: () => void csvExport.write(),
-    cancelWriting: () => csvExport.cancel(),
+    openFiles: (list) => void files.with((opener) => opener.open(list)),
+    cancelReading: () => files.ifHere((opener) => opener.cancel()),
+    openSample: (id) => void files.with((opener) => opener.openSample(id, samples)),
+    openFile: (name, file, choices) => files.with((opener) => opener.openFile(name, file, choices)),
+    answerPending: (choices) => files.with((opener) => opener.answerPending(choices)),
+    keepReading: () => files.ifHere((opener) => opener.keepReading()),
+    readAgain: (change) => void files.with((opener) => opener.readAgain(change)),
+    exportCsv: () => void csvExport.with((file) => file.write()),
+    cancelWriting: () => csvExport.ifHere((file) => file.cancel()),
     saveScenario: () =>
       download(
         'scenario.json',

@@ -2,7 +2,7 @@
 import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import type { RunClient } from '../../compute/client/runClient.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
-import { DigitsMeter, secondScenario, type Trust } from '../../core/simulation/trust.ts';
+import type { Trust } from '../../core/simulation/trust.ts';
 import { readonly } from '../state/signals.ts';
 import { RETUNED } from './onward.ts';
 import type { Motion, RunState, RunStatistics } from './motion.ts';
@@ -61,7 +61,7 @@ export class TrustKeeper {
   compare(): void {
     const { motion } = this;
     const run = this.context.stage.run.peek();
-    if (motion && run?.kind === 'ended' && comparable(motion)) this.begin(motion, run);
+    if (motion && run?.kind === 'ended' && comparable(motion)) void this.begin(motion, run);
   }
 
   /** The run, or the draft beside it, changed: what was compared stays, what is under way gives way and begins anew. */
@@ -75,12 +75,22 @@ export class TrustKeeper {
     if ((statistics?.evaluations ?? 0) > MOST_UNASKED) known.value = { kind: 'asks' };
     else {
       known.value = { kind: 'comparing', share: 0, trust: null };
-      this.timer = setTimeout(() => this.begin(motion, run), QUIET_MS);
+      this.timer = setTimeout(() => void this.begin(motion, run), QUIET_MS);
     }
   }
 
-  private begin(motion: Motion, run: Extract<RunState, { kind: 'ended' }>): void {
+  private async begin(motion: Motion, run: Extract<RunState, { kind: 'ended' }>): Promise<void> {
     const { known, context } = this;
+    known.value = { kind: 'comparing', share: 0, trust: null };
+    const asked = known.peek();
+    const parts = await import('../../core/simulation/trust.ts').catch(() => null);
+    // Meanwhile another run, or another draft, may have taken its place.
+    if (known.peek() !== asked) return;
+    if (!parts) {
+      known.value = { kind: 'asks' };
+      return;
+    }
+    const { DigitsMeter, secondScenario } = parts;
     const scenario = motion.scenario!;
     // A little longer than the first run came: an event of the second may be later.
     const duration = Math.min(scenario.duration, run.time + MORE_ROWS * scenario.outputStep);
@@ -110,7 +120,6 @@ export class TrustKeeper {
       const trust = meter.finish(run, { reason });
       known.value = trust.digits.length > 1 ? { kind: 'compared', trust } : null;
     };
-    known.value = { kind: 'comparing', share: 0, trust: null };
     context.client.start(second, {
       started: () => {},
       rows: (columns, count) => {

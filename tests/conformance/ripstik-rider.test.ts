@@ -53,10 +53,14 @@ test.each(reference.cases)(
 
 describe('balanced by the feet', () => {
   test.each([
+    { speed: 0, largest: 58_226, delay: 0.205, growth: 2.998 },
     { speed: 1, largest: 1_684, delay: 0.21, growth: 2.889 },
     { speed: 5, largest: 144, delay: 0.236, growth: 2.564 },
   ])('at $speed m/s: largest gain $largest, delay margin $delay s', ({ speed, largest, delay, growth }) => {
-    const design = lqrOf(scenarioOf({ ...balanced, control: { ...balanced.control, at: { X_dot: speed } } }), system);
+    const design = lqrOf(
+      scenarioOf({ ...balanced, control: { ...balanced.control, at: speed > 0 ? { X_dot: speed } : {} } }),
+      system,
+    );
     const gains = design.gain.to2DArray().flat().map(Math.abs);
     expect(Math.abs(Math.max(...gains) / largest - 1)).toBeLessThan(0.01);
     const growing = design.openLoop.filter(([re]) => re > 0);
@@ -66,6 +70,18 @@ describe('balanced by the feet', () => {
     const margins = marginsOf({ A, B, K: design.riccati.gain }, design.linearization.inputs);
     expect(Math.abs(margins.delay / delay - 1)).toBeLessThan(0.01);
   });
+
+  test.each([0.001, 0.01, 0.03, 0.1, 0.3, 0.5, 0.7, 3, 10])(
+    'at %d m/s, however weakly the casters move the board: solved, heading and place left alone',
+    (speed) => {
+      const design = lqrOf(scenarioOf({ ...balanced, control: { ...balanced.control, at: { X_dot: speed } } }), system);
+      expect(design.split.reachable.columns).toBe(12);
+      expect(design.placed).toHaveLength(10);
+      expect(design.unseen).toHaveLength(2);
+      expect(design.riccati.residual).toBeLessThan(1e-11);
+      for (const [re] of design.placed) expect(re).toBeLessThan(-1);
+    },
+  );
 
   test('from three degrees of the rider’s own lean at 1 m/s, the board upright: at most 88.2 N·m per ankle', () => {
     const run = runOf({ ...balanced, outputStep: 0.001 });

@@ -12,6 +12,7 @@ const SEED = Number(process.env.DESIGNS_SEED ?? 4711);
 
 interface Plant {
   at(random: () => number): Record<string, number | string>;
+  parameters?(random: () => number): Record<string, number>;
   inputs: readonly string[];
 }
 
@@ -21,6 +22,16 @@ const PLANTS: Record<string, Plant> = {
   ripstik: {
     at: (random) => (random() < 0.2 ? {} : { X_dot: speed(random, 0.01, 10) }),
     inputs: ['tau_fc', 'tau_bc', 'tau_fp', 'tau_bp', 'tau_twist', 'f_X', 'f_Y', 'f_theta', 'f_alpha'],
+  },
+  'ripstik-rider': {
+    at: (random) => (random() < 0.2 ? {} : { X_dot: speed(random, 0.1, 10) }),
+    // Up to ankles so stiff that the fastest mode is a thousand times the slowest.
+    parameters: (random) => ({
+      ankleStiffness: speed(random, 10, 2000),
+      ankleDamping: speed(random, 0.1, 50),
+      riderMass: speed(random, 20, 120),
+    }),
+    inputs: ['tau_af', 'tau_ab', 'tau_fp', 'tau_bp', 'tau_fc', 'tau_bc', 'f_beta'],
   },
   bicycle: {
     at: (random) => ({ speed: random() < 0.1 ? 0 : speed(random, 0.1, 10) }),
@@ -51,7 +62,11 @@ function draw(random: () => number) {
   for (let i = 0; i < count; i++)
     Q[states[Math.floor(random() * states.length)]!] = wild ? 10 ** (-8 + 16 * random()) : 1;
   const R = Object.fromEntries(inputs.map((name) => [name, wild ? 10 ** (-4 + 8 * random()) : 1]));
-  return { system: id, control: { type: 'lqr', inputs, at: PLANTS[id]!.at(random), Q, R } };
+  return {
+    system: id,
+    parameters: PLANTS[id]!.parameters?.(random) ?? {},
+    control: { type: 'lqr', inputs, at: PLANTS[id]!.at(random), Q, R },
+  };
 }
 
 /**

@@ -18,7 +18,6 @@ import {
   modesOf,
   modulus,
   ON_AXIS,
-  ROUNDING,
   type Complex,
   type Mode,
 } from '../linearization/spectrum.ts';
@@ -130,10 +129,16 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   };
 }
 
+/**
+ * What a state takes part in reachable motion, at the least: below it is what rounding over weak stages has left in V (1e-8
+ * of the rod's roll for one steering motor under a rider), in which no input has a say.
+ */
+const UNSEEN = 1e-7;
+
 /** Rows of Q^1/2 N V that are rounding beside their weight ask for nothing that the inputs reach: exact zeros. */
 function withoutRounding(seen: Matrix, Q: readonly number[]): Matrix {
   Q.forEach((q, i) => {
-    if (norm(seen.getRowVector(i)) <= ROUNDING * Math.sqrt(q)) seen.setRow(i, new Array<number>(seen.columns).fill(0));
+    if (norm(seen.getRowVector(i)) <= UNSEEN * Math.sqrt(q)) seen.setRow(i, new Array<number>(seen.columns).fill(0));
   });
   return seen;
 }

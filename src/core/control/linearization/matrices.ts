@@ -110,7 +110,7 @@ export interface ColumnSpace {
 const CERTAIN = 1e-6;
 const ROUNDING_AT_MOST = 1e-10;
 /** What rounding leaves of a zero at the least: smaller values differ by chance. */
-const LEAST = 1e-15;
+export const LEAST = 1e-15;
 
 /**
  * How many singular values count. Rounding grows with what came before (a direction found by a small singular value

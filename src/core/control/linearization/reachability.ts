@@ -1,6 +1,7 @@
 import { inverse, Matrix, QrDecomposition } from 'ml-matrix';
 import { besides, columnSpace, norm, rankByGap } from './matrices.ts';
-import { distance, eigenvalues, modesOf, type Complex, type Mode } from './spectrum.ts';
+import { reachByModes } from './modalReach.ts';
+import { distance, eigenvalues, modesOf, modulus, ON_AXIS, type Complex, type Mode } from './spectrum.ts';
 import { sylvesterLeastSquares, sylvesterWith } from '../design/sylvester.ts';
 
 /** Where inputs can bring a linear system, and where not. */
@@ -95,7 +96,20 @@ export function balanced(basis: Matrix, A: Matrix, B: Matrix): BalancedPlant {
     Number.isInteger(n) && n > 0 ? norm(whole.subMatrix(r * n, r * n + n - 1, c * n, c * n + n - 1)) : 0;
   // A plant of integrators has no rate of its own.
   const unit = Math.max(Math.sqrt(block(1, 0) / block(0, 1)), block(1, 1));
-  const s = unit > 1e-6 && Number.isFinite(unit) ? 2 ** Math.round(Math.log2(unit)) : 1;
+  return inUnit(basis, A, B, unit > 1e-6 && Number.isFinite(unit) ? unit : 1);
+}
+
+/**
+ * The plant with its velocities in a unit of that many 1/s (the nearest power of two, so that nothing is rounded).
+ *
+ * @param basis orthonormal, states x d
+ * @param A d x d
+ * @param B d x k
+ * @param unit 1/s
+ */
+export function inUnit(basis: Matrix, A: Matrix, B: Matrix, unit: number): BalancedPlant {
+  const n = basis.rows / 2;
+  const s = 2 ** Math.round(Math.log2(unit));
   const scaled = basis.clone();
   for (let i = n; i < basis.rows; i++) scaled.mulRow(i, 1 / s);
   const { orthogonalMatrix: Q, upperTriangularMatrix: R } = new QrDecomposition(scaled);
@@ -180,11 +194,37 @@ export function splitByReachability(
   const I = Matrix.eye(A.rows);
   const plant = !basis ? { A, B, basis: I, back: I, unit: 1 } : basis instanceof Matrix ? balanced(basis, A, B) : basis;
   const sized = sizes?.map((size) => size / plant.unit);
-  const inBalance = refined(reachableSubspace(plant.A, plant.B, sized), plant);
+  const split = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized));
+  if (!leavesGrowing(split)) return split;
+  // There in the middle of the plant's rates, where fast and slow modes are as far from 1.
+  const middle = basis instanceof Matrix ? inUnit(basis, A, B, middleRate(A)) : plant;
+  const byModes = reachByModes(
+    middle,
+    sizes?.map((size) => size / middle.unit),
+  );
+  return byModes ? splitAt(A, B, middle, byModes) : split;
+}
+
+/** Geometric mean of the moduli of A's eigenvalues other than zero, 1/s. */
+function middleRate(A: Matrix): number {
+  const rates = eigenvalues(A)
+    .map(modulus)
+    .filter((rate) => rate > 0);
+  return Math.exp(rates.reduce((sum, rate) => sum + Math.log(rate), 0) / rates.length);
+}
+
+function leavesGrowing({ reachable, unreachableA, scale }: ReachableSplit): boolean {
+  return reachable.columns > 0 && eigenvalues(unreachableA, scale).some(([re]) => re > ON_AXIS * scale);
+}
+
+/** The blocks for a reachable subspace that was found in the plant's balanced coordinates. */
+function splitAt(A: Matrix, B: Matrix, plant: BalancedPlant, found: Reachability): ReachableSplit {
+  const inBalance = refined(found, plant);
   // What the inputs reach is the same subspace; its basis is orthonormal in tangent coordinates.
-  const { basis: V, complement: Vp } = basis
-    ? columnSpace(plant.back.mmul(inBalance.reachable), () => inBalance.reachable.columns)
-    : { basis: inBalance.reachable, complement: inBalance.complement };
+  const { basis: V, complement: Vp } = columnSpace(
+    plant.back.mmul(inBalance.reachable),
+    () => inBalance.reachable.columns,
+  );
   const reach = { ...inBalance, reachable: V, complement: Vp, balance: { ...plant, reachable: inBalance.reachable } };
   const [Vt, Vpt] = [V.transpose(), Vp.transpose()];
   const inner = Vt.mmul(A).mmul(V);

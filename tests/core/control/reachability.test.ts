@@ -1,11 +1,11 @@
 import { Matrix } from 'ml-matrix';
 import { describe, expect, test } from 'vitest';
 import {
-  reachableSubspace,
   reachByInput,
   splitByReachability,
   unobservableSubspace,
 } from '../../../src/core/control/linearization/reachability.ts';
+import { reachableSubspace } from '../../../src/core/control/linearization/staircase.ts';
 import { seeded } from '../../helpers.ts';
 import { linearizationOf, randomMatrix, randomRotation } from './helpers.ts';
 

@@ -1,7 +1,8 @@
 import { EigenvalueDecomposition, inverse, Matrix } from 'ml-matrix';
 import { sylvesterLeastSquares } from '../design/sylvester.ts';
 import { besides, columnSpace, LEAST, norm } from './matrices.ts';
-import { reachableSubspace, type BalancedPlant, type Reachability } from './reachability.ts';
+import type { BalancedPlant } from './balance.ts';
+import { reachableSubspace, type Reachability } from './staircase.ts';
 import { distance, eigenvalues, modulus, splitZeros, type Complex } from './spectrum.ts';
 
 /**

@@ -2,7 +2,8 @@ import { Matrix } from 'ml-matrix';
 import { solveCare } from '../design/riccati.ts';
 import type { Linearization } from '../linearization/linearize.ts';
 import { ControlError, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
-import { balanced, dualOf, reachByInput, splitByReachability } from '../linearization/reachability.ts';
+import { balanced, dualOf } from '../linearization/balance.ts';
+import { reachByInput, splitByReachability } from '../linearization/reachability.ts';
 import {
   complexText,
   modesOf,

@@ -1,4 +1,4 @@
-import type { Matrix} from 'ml-matrix';
+import type { Matrix } from 'ml-matrix';
 import { inverse, QrDecomposition } from 'ml-matrix';
 import { norm } from './matrices.ts';
 

@@ -1,7 +1,8 @@
 // npm run edit-times: from a key in a field to the first frame of the run that follows, for every number of the board, and
-// for a parameter of each case; median and 95th percentile, ms. Printed, not asserted: they are those of this machine.
+// for a parameter of each case; median and 95th percentile, ms, beside those of a frame in which nothing changed. Printed, not
+// asserted: they are those of this machine.
 // With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha
-/* global window, document, requestAnimationFrame, localStorage, KeyboardEvent -- functions given to the page run there */
+/* global window, document, requestAnimationFrame, localStorage, KeyboardEvent, MessageChannel -- functions given to the page run there */
 import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
 import { build, built, install, main } from './setup.mjs';
@@ -14,10 +15,22 @@ const AT = 1;
 /** A field that no run follows for so long is left out, ms. */
 const LONGEST_MS = 4000;
 
+/** What the page is given once: a wait until what a frame draws has been handed over. A task that begins after it tells. */
+function followFrames() {
+  const { port1, port2 } = new MessageChannel();
+  const waiting = [];
+  port1.onmessage = () => waiting.splice(0).forEach((done) => done());
+  window.afterFrame = () =>
+    new Promise((done) => {
+      waiting.push(done);
+      requestAnimationFrame(() => port2.postMessage(null));
+    });
+}
+
 /** Steps a field up and down again; how long each took, or null where no run followed. Runs in the page. */
 async function stepField({ path, times, at, longest }) {
   const { state, actions } = window.ripstikApp;
-  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  const frame = window.afterFrame;
   const input = document.querySelector(`[data-path="${path}"]`);
   const waits = [];
   let [known, came] = [state.motion.value.id, null];
@@ -48,6 +61,19 @@ async function stepField({ path, times, at, longest }) {
   return waits;
 }
 
+/** How long a frame takes in which nothing changed. Runs in the page. */
+async function drawAgain(times) {
+  const { ripstikScene: scene, performance, afterFrame } = window;
+  const waits = [];
+  for (let k = 0; k < times; k++) {
+    const [from, { frames }] = [performance.now(), scene.stats()];
+    scene.requestRender();
+    while (scene.stats().frames <= frames) await afterFrame();
+    waits.push(performance.now() - from);
+  }
+  return waits;
+}
+
 const rank = (list, share) =>
   [...list].sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(share * list.length))];
 
@@ -61,6 +87,7 @@ function print(name, waits) {
 async function open(browser, address, id) {
   const page = await browser.newPage({ viewport: VIEWPORT, reducedMotion: 'reduce', locale: 'en-US' });
   await page.addInitScript(() => localStorage.setItem('ripstik.tour', 'seen'));
+  await page.addInitScript(followFrames);
   await page.goto(address);
   await page.waitForFunction(() => window.ripstikScene?.stats().bodies > 0);
   await page.evaluate((name) => window.ripstikApp.actions.loadCase(name), id);
@@ -90,6 +117,7 @@ main(async (wanted) => {
   try {
     console.log(`${'field of the ridden board'.padEnd(44)} median    p95, ms`);
     const board = await open(browser, address, 'ridden');
+    print('a frame in which nothing changed', await board.evaluate(drawAgain, 40));
     const all = [];
     const fields = (await paths(board)).filter((one) => !/^(inputs|control\.reference)\./.test(one));
     for (const path of fields.filter((one) => wanted.length === 0 || wanted.some((part) => one.includes(part)))) {

@@ -1,7 +1,8 @@
 import { parentPort, workerData } from 'node:worker_threads';
 import { feedbackOf } from '../core/control/design/feedback.ts';
 import '../core/simulation/everyMotion.ts';
-import { runOne, sharedFeedback, type StudyRow } from '../core/sweep/runOne.ts';
+import { runOne, type StudyRow } from '../core/sweep/runOne.ts';
+import { sharedFeedback } from '../core/sweep/sharedFeedback.ts';
 import { systemMetas } from '../core/systems/registry.ts';
 import { loadStudy } from './study.ts';
 

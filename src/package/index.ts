@@ -106,9 +106,10 @@ export async function linearize(scenario: ScenarioInput): Promise<ControlReport>
  */
 export async function* sweep(study: StudyFile, indices?: Iterable<number>): AsyncGenerator<StudyRow, void> {
   await learnSystemOf(study.scenario);
-  const [{ checkStudy }, { checkMeasures, runOne, sharedFeedback }, { feedbackOf }] = await Promise.all([
+  const [{ checkStudy }, { checkMeasures, runOne }, { sharedFeedback }, { feedbackOf }] = await Promise.all([
     import('../core/sweep/study.ts'),
     import('../core/sweep/runOne.ts'),
+    import('../core/sweep/sharedFeedback.ts'),
     import('../core/control/design/feedback.ts'),
     import('../core/simulation/everyMotion.ts'),
   ]);

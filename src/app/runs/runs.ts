@@ -20,6 +20,8 @@ import type { StageContent, StageSlice } from './stageState.ts';
 
 /** A run that is pushed goes on for at least this long, s. */
 const LEFT_S = 5;
+/** A motion that plays goes on for so long while the run that follows it is computed, s of the clock. */
+const AHEAD_S = 0.06;
 
 export interface RunsContext {
   stage: StageSlice;
@@ -212,7 +214,7 @@ export class Runs {
 
   private start(scenario: Scenario, draft: ScenarioFile, entry: Entry): void {
     const { onward = null, soonest = false } = entry;
-    const { stage, experiment, playback, pushing, client, messages } = this.context;
+    const { stage, experiment, pushing, client, messages } = this.context;
     const origin = experiment.origin.peek();
     const push = onward?.push ?? pushing.push.peek();
     const title = onward?.push
@@ -304,7 +306,7 @@ export class Runs {
       {
         from: onward ? continuationOf(onward, scenario) : undefined,
         live: push ? { push, horizon: this.horizon() } : undefined,
-        until: entry.live ? playback.state.time.peek() : 0,
+        until: entry.live ? this.soon() : 0,
         soonest,
       },
     );
@@ -338,6 +340,12 @@ export class Runs {
     settle();
     if (!live && !onward) playback.actions.setPlaying(autoplay);
     return true;
+  }
+
+  /** Where the motion will be played when a run that is begun now has come so far, s. */
+  private soon(): number {
+    const { playing, time } = this.context.playback.state;
+    return time.peek() + (playing.peek() ? AHEAD_S * this.context.settings.speed.peek() : 0);
   }
 
   private horizon(): number {

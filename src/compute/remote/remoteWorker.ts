@@ -40,7 +40,7 @@ export class WorkerLost extends Error {
   override readonly name = 'WorkerLost';
 }
 
-/** How long a worker may take to answer an abort; a run looks at its mailbox every 12 ms. */
+/** How long a worker may take to answer an abort; a run looks at its mailbox every 4 ms. */
 const PATIENCE_MS = 3000;
 
 interface Pending {

@@ -1,14 +1,18 @@
 import { needsEveryMotion } from '../../core/simulation/motion.ts';
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
+import { sharedFeedback } from '../../core/sweep/sharedFeedback.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, partsOf, systemOf } from './load.ts';
 import { nextTurn } from './nextTurn.ts';
 import type { Live, RunCalls, RunEvent, RunRequest, RunResult } from './runTypes.ts';
 
-/** Computing time between looks at the mailbox: a cancel is answered well within 100 ms. */
-const SLICE_MS = 12;
+/** Computing time between looks at the mailbox: the run that follows a drag waits so long for the one before to stop. */
+const SLICE_MS = 4;
 /** Rows are sent at least this often, and no oftener, so that neither page nor plot waits or drowns. */
 const SEND_MS = 30;
+
+/** While the start is dragged, the controller stays. */
+const designed = sharedFeedback(feedbackFor);
 
 export const calls: Handlers<RunCalls> = { 'run.compute': compute };
 
@@ -20,7 +24,7 @@ async function compute(
     systemOf(scenario, partsOf(scenario, live !== undefined, soonest)),
     soonest && !needsEveryMotion(scenario.method) ? null : import('../../core/simulation/everyMotion.ts'),
   ]);
-  const feedback = await feedbackFor(scenario, system);
+  const feedback = await designed(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
   let seconds = 0;
   emit({
@@ -59,7 +63,7 @@ async function compute(
       break;
     }
     const began = performance.now();
-    simulation.advance(() => performance.now() >= began + SLICE_MS);
+    simulation.advance(() => performance.now() >= began + SLICE_MS || (awaited && simulation.time >= until));
     seconds += (performance.now() - began) / 1000;
     if (simulation.end) break;
     if (simulation.waits) {

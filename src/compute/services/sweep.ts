@@ -1,6 +1,6 @@
 import { checkScenario } from '../../core/scenario/schema.ts';
 import '../../core/simulation/everyMotion.ts';
-import { sharedFeedback } from '../../core/sweep/runOne.ts';
+import { sharedFeedback } from '../../core/sweep/sharedFeedback.ts';
 import { reduceRun, type Reduced } from '../../core/sweep/reduceRun.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, systemOf } from './load.ts';

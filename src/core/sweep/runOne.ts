@@ -79,20 +79,3 @@ export function checkMeasures(study: Study, system: System, systems: Readonly<Re
     throw new ScenarioError(`measures.${i}`, unknownName(measure.column, columns.slice(1)));
   });
 }
-
-/**
- * Designs a controller once for runs that ask for the same one after another, as most of a study's do.
- *
- * @param design makes the controller
- */
-export function sharedFeedback<F>(
-  design: (scenario: Scenario, system: System) => F,
-): (s: Scenario, system: System) => F {
-  let last: { asked: string; feedback: F } | null = null;
-  return (scenario, system) => {
-    const { system: id, parameters, constraints, hold, control } = scenario;
-    const asked = JSON.stringify([id, parameters, constraints, hold, control]);
-    if (last?.asked !== asked) last = { asked, feedback: design(scenario, system) };
-    return last.feedback;
-  };
-}

@@ -1,3 +1,4 @@
+import type { Dress } from './layout/dress.ts';
 import type { Kind } from './units/units.ts';
 
 /**
@@ -86,10 +87,10 @@ export interface ColumnPlan {
 }
 
 export type TimeForm =
-  'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'compact clock' | 'frame' | 'counted';
+  'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'compact clock' | 'parts' | 'frame' | 'counted';
 
 export interface TimePlan {
-  /** Columns it is read from: none, one, or a date and a clock. */
+  /** Columns it is read from: none, one, a date and a clock, or (`parts`) the last of year, month, day, hour, minute, second. */
   columns: readonly number[];
   form: TimeForm;
   /** Unit of numbers; '' for text and counted rows. */
@@ -102,8 +103,13 @@ export interface TimePlan {
 
 export interface ImportPlan {
   encoding: Encoding;
-  /** `labelled`: every value has its name beside it; `stamped`: a clock and an arrow stand before each row. */
-  lineForm: 'plain' | 'labelled' | 'stamped';
+  /**
+   * `labelled`: every value has its name beside it; `stamped`: a clock and an arrow stand before each row; `bracketed`: rows
+   * stand between brackets or bars.
+   */
+  lineForm: 'plain' | 'labelled' | 'stamped' | 'bracketed';
+  /** What stands around the numbers of cells; null where nothing does. */
+  dress: Dress | null;
   separator: Separator;
   decimal: '.' | ',';
   /** 1-based lines of the header, several where groups stand above names; empty without one. */

@@ -19,16 +19,27 @@ export interface Source {
 /** Words and numbers above columns that tell no two of them apart. */
 const EMPTY_GROUP = /^(?:rigid ?body|bone|marker|rigid body marker|type|name|id|\d+|[0-9a-f]{16,})$/i;
 
+const LONGEST_RUN = 100;
+/** `x (m) Run #1`, `Run 1: x (m)`: a school's loggers name the run beside each column. */
+function runIn(title: string): [run: string, rest: string] {
+  if (title.length > LONGEST_RUN) return ['', title];
+  const behind = /^(.*\S)[\s,_-]+((?:run|trial|set|data ?set|take)\s*#?\s*\d+)$/i.exec(title);
+  if (behind) return [behind[2]!, behind[1]!];
+  const before = /^((?:run|trial|set|data ?set|take)\s*#?\s*\d+|latest)\s*[:.,_-]\s*(.+)$/i.exec(title);
+  return before ? [before[1]!, before[2]!] : ['', title];
+}
+
 export function sourcesOf(layout: Layout): Source[] {
   const taken = new Set<string>();
   return Array.from({ length: layout.width }, (_, index) => {
     const title = (layout.titles?.[index] ?? '').trim();
-    const split = splitTitle(title);
+    const [run, rest] = runIn(title);
+    const split = splitTitle(rest);
     const own = split.name === '' && split.unit === '' ? `column ${index + 1}` : split.name;
     const group = layout.groups
       .map((names) => names[index] ?? '')
       .filter((name) => name !== '' && !EMPTY_GROUP.test(name));
-    const plain = [...group, own].join('.');
+    const plain = [...(run === '' ? [] : [run]), ...group, own].join('.');
     let name = plain;
     for (let k = 2; taken.has(name); k++) name = `${plain} (${k})`;
     taken.add(name);

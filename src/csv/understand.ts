@@ -51,6 +51,7 @@ export function understandText(text: string, encoding: Encoding, options: Unders
   const plan: ImportPlan = {
     encoding,
     lineForm: layout.lineForm,
+    dress: layout.dress,
     separator: layout.separator,
     decimal: layout.decimal,
     headerLines: layout.headerLines,
@@ -91,6 +92,10 @@ function layoutNotes(layout: Layout): string[] {
   const notes: string[] = [];
   const marks = { ';': 'semicolons', '\t': 'tabs', '|': 'upright bars', blanks: 'blanks' } as Record<string, string>;
   if (layout.lineForm === 'labelled') notes.push('every value has its name beside it');
+  if (layout.lineForm === 'bracketed') notes.push('rows stand between brackets or bars');
+  if (layout.dress?.text) notes.push('numbers are marked as text');
+  if (layout.dress?.grouped) notes.push('thousands are in groups');
+  if (layout.dress?.units.some((unit) => unit !== '')) notes.push('units stand behind the numbers');
   if (layout.lineForm === 'stamped') notes.push('a clock and an arrow stand before each row');
   if (layout.separator !== ',') notes.push(`separated by ${marks[layout.separator] ?? `"${layout.separator}"`}`);
   if (layout.decimal === ',') notes.push('decimal commas');

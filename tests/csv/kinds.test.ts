@@ -244,21 +244,39 @@ test('rows at an event stay, the second at once after the first', () => {
   expect(x[50]).toBe(9);
 });
 
-test.each([
-  ['1.234,5', ';'],
-  ["1'234.5", ','],
-  ['"1,234.5"', ','],
-])('thousands separators are named: %s', (cell, by) => {
-  const result = readBytes(
+const heights = (cells: readonly string[], by: string): ReturnType<typeof readBytes> =>
+  readBytes(
     new TextEncoder().encode(
       table(
         ['t', 'x', 'y', 'theta'].join(by) + '\n',
-        [0, 1, 2].map((i) => [String(i), cell, '1', '0']),
+        cells.map((cell, i) => [String(i), cell, '1', '0']),
         by,
       ),
     ),
   );
-  expect(JSON.stringify(result)).toContain('thousands separators');
+
+test.each<[cells: string[], by: string, numbers: number[]]>([
+  [['1.234,5', '-12.345,25', '0,5'], ';', [1234.5, -12345.25, 0.5]],
+  [["1'234.5", '1’234’567', '2'], ',', [1234.5, 1234567, 2]],
+  [['"1,234.5"', '"1,235"', '"999.25"'], ',', [1234.5, 1235, 999.25]],
+  [['"12,34,567.8"', '1', '2'], ',', [1234567.8, 1, 2]],
+  [['1 234,5', '1\u202f234,5', '1\u00a0234'], ';', [1234.5, 1234.5, 1234]],
+  [['1,234,567', '1,234', '2'], ';', [1234567, 1234, 2]],
+  // From 1000 on and nothing below, beside decimal points.
+  [['"1,234"', '999', '998', '"0.5"'], ',', [1234, 999, 998, 0.5]],
+])('thousands that have one meaning are read: %j', (cells, by, numbers) => {
+  const result = heights(cells, by);
+  if (result.kind !== 'motion') throw new Error(JSON.stringify(result));
+  expect([...result.data[1]!]).toEqual(numbers);
+  expect(result.issues).toEqual([]);
+});
+
+test.each([
+  [['"1,234"', '0.5', '0.25'], ',', 'could be 1234 or 1.234'],
+  [['1.234', '0,5', '12,25'], ';', 'could be 1234 or 1.234'],
+  [['1.234.5', '0,5', '2'], ';', 'has a point where'],
+])('thousands that could be decimals are refused by name: %j', (cells, by, reason) => {
+  expect(JSON.stringify(heights(cells, by))).toContain(reason);
 });
 
 test('times in order: what can be kept is kept', () => {

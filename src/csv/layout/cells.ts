@@ -1,6 +1,6 @@
 import Papa from 'papaparse';
 import type { Separator } from '../plan.ts';
-import { clockSeconds, dateDays } from '../time/clock.ts';
+import { moment } from '../time/clock.ts';
 import { readNumber } from '../reading/numbers.ts';
 import { isMissing } from './errors.ts';
 
@@ -40,6 +40,6 @@ export function formOf(cell: string, decimalComma: boolean): CellForm {
   const text = cell.trim();
   if (isMissing(text)) return 'missing';
   if (!Number.isNaN(readNumber(text, decimalComma))) return 'number';
-  if (clockSeconds(text) !== null || dateDays(text) !== null) return 'time';
+  if (moment(text) !== null) return 'time';
   return 'text';
 }

@@ -1,11 +1,21 @@
 import type { ImportChoices, Separator } from '../plan.ts';
 import { isUnit } from '../units/units.ts';
 import { blankTitles, cellsOf, formOf } from './cells.ts';
+import { dressOf, undressed, type Dress } from './dress.ts';
 import { isMissing } from './errors.ts';
-import { labelledCells, labelsOf, lineFormOf, unstamped, withoutStamp, type LineForm } from './logLines.ts';
+import {
+  labelledCells,
+  labelsOf,
+  lineFormOf,
+  unbracketed,
+  unstamped,
+  withoutStamp,
+  type LineForm,
+} from './logLines.ts';
 import { isComment, recordLength, COMMENT } from './records.ts';
 import { propertiesOf, type Property } from './preamble.ts';
-import { hasThousands, marksOf } from './separator.ts';
+import { isBareGroup } from '../reading/grouped.ts';
+import { marksOf } from './separator.ts';
 
 /** Where the table of a file begins, and what stands above it. */
 export interface Layout {
@@ -23,6 +33,8 @@ export interface Layout {
   units: string[] | null;
   comments: string[];
   properties: Property[];
+  /** What stands around the numbers of cells; null where nothing does. */
+  dress: Dress | null;
   /** Cells of the first rows of numbers. */
   rows: string[][];
 }
@@ -38,6 +50,8 @@ interface Line {
 const MOST_ROWS = 1000;
 /** Lines that may stand between the header and the first whole row. */
 const REACH = 60;
+/** Rows by which it is seen what stands around numbers. */
+const MOST_DRESSED = 200;
 
 /**
  * @param text whole lines of a file's beginning
@@ -56,13 +70,30 @@ export function layoutOf(
   if (plain.length === 0) return null;
   const lineForm = lineFormOf(plain.map((line) => line.text));
   if (lineForm === 'labelled') return labelled(plain);
+  const inner = (text: string): string =>
+    lineForm === 'stamped' ? withoutStamp(text) : lineForm === 'bracketed' ? unbracketed(text) : text;
   const marks = marksOf(
-    plain.map((line) => (lineForm === 'stamped' ? withoutStamp(line.text) : line.text)),
+    plain.map((line) => inner(line.text)).filter((text) => text.trim() !== ''),
     { ...(told ? { separator: told[1] as Separator } : {}), ...choices },
   );
   const { separator, decimal } = marks;
-  const textOf = ({ text }: { text: string }): string => (lineForm === 'stamped' ? unstamped(text, separator) : text);
-  const lines: Line[] = plain.map((line) => ({ ...line, cells: cellsOf(textOf(line), separator) }));
+  const textOf = ({ text }: { text: string }): string =>
+    lineForm === 'stamped' ? unstamped(text, separator) : inner(text);
+  const dressed: Line[] = plain.flatMap((line) => {
+    const text = textOf(line);
+    return text.trim() === '' ? [] : [{ ...line, text, cells: cellsOf(text, separator) }];
+  });
+  const dress = dressOf(
+    dressed
+      .slice(1)
+      .slice(-MOST_DRESSED)
+      .map((line) => line.cells),
+    dressed[0]?.cells ?? [],
+    decimal === ',',
+  );
+  const lines = dress
+    ? dressed.map((line) => ({ ...line, cells: undressed(line.cells, dress, decimal === ',') }))
+    : dressed;
   const first = firstRowOf(lines, decimal === ',');
   const header = headerOf(lines, first, choices, names);
   const commented =
@@ -79,18 +110,30 @@ export function layoutOf(
       const { cells, number } = lines[next]!;
       if (!units && isUnitsRow(cells)) [units, unitsLine] = [cells, number];
       else if (fillsTitles(cells, titles)) headerLines.push(number);
-      else break;
+      else if (!units || !isRemarks(cells, decimal === ',')) break;
     }
+  const above = header > 0 ? lines[header - 1]! : null;
+  if (
+    titles &&
+    !units &&
+    above &&
+    isUnitsRow(above.cells) &&
+    trimmed(above.cells) > 1 &&
+    above.cells.length === titles.length
+  )
+    [units, unitsLine] = [above.cells, above.number];
   if (commented?.units) ({ units, unitsLine } = commented);
+  if (!units && dress?.units.some((unit) => unit !== '')) units = [...dress.units];
   const rows = lines.slice(next, next + MOST_ROWS).map((line) => line.cells);
   if (rows.length === 0 && !titles) return null;
   const width = titles ? widthWith(titles, rows) : trimmed(lines[next]!.cells);
   const groups = titles && header > 0 ? groupsOf(lines, header, titles, headerLines) : [];
-  const above = all.filter((line) => line.number < (lines[next]?.number ?? Infinity));
+  const before = all.filter((line) => line.number < (lines[next]?.number ?? Infinity));
   const used = new Set([...headerLines, unitsLine]);
   return {
     ...marks,
     lineForm,
+    dress,
     headerLines: headerLines.sort((a, b) => a - b),
     unitsLine,
     firstRow: lines[next]?.number ?? (lines.at(-1)?.number ?? 0) + 1,
@@ -100,7 +143,7 @@ export function layoutOf(
     units,
     comments: [...new Set(all.filter((l) => l.comment).map((l) => COMMENT.exec(l.text)![2]!))],
     properties: propertiesOf(
-      above
+      before
         .filter((line) => !used.has(line.number))
         .map((line) => ({ text: line.text, cells: line.comment ? [] : cellsOf(line.text, separator) })),
     ),
@@ -113,6 +156,7 @@ function labelled(plain: readonly { number: number; text: string }[]): Layout {
   const labels = labelsOf(plain.map((line) => line.text));
   return {
     lineForm: 'labelled',
+    dress: null,
     separator: ',',
     decimal: '.',
     headerLines: [],
@@ -162,7 +206,7 @@ function firstRowOf(lines: readonly Line[], comma: boolean): number {
     let [numbers, others] = [0, 0];
     for (const cell of cells) {
       const form = formOf(cell, comma);
-      if (form === 'number' || form === 'time' || hasThousands(cell)) numbers++;
+      if (form === 'number' || form === 'time' || isBareGroup(cell.trim(), comma)) numbers++;
       else if (form === 'text' || (form === 'missing' && /^[a-z]/i.test(cell.trim()) && cell.trim().length === 0))
         others++;
     }
@@ -201,7 +245,10 @@ function headerOf(
   for (let i = Math.min(from, lines.length - 1); i >= Math.max(0, from - REACH); i--) {
     const hits = names(lines[i]!.cells);
     // The first row itself may be one: numbers as titles beside a name.
-    if (i === first && (hits === 0 || lines[i]!.cells.filter((cell) => formOf(cell, false) === 'number').length > hits))
+    if (
+      i === first &&
+      (hits === 0 || lines[i]!.cells.filter((cell) => /^(?:number|time)$/.test(formOf(cell, false))).length > hits)
+    )
       continue;
     if (hits > best.hits) best = { index: i, hits };
   }
@@ -257,8 +304,17 @@ function commentedHeader(
   return null;
 }
 
+/** A line of words below the units: descriptions, places, types. */
+const isRemarks = (cells: readonly string[], comma: boolean): boolean =>
+  cells.some((cell) => formOf(cell, comma) === 'text') &&
+  cells.every((cell) => /^(?:text|missing)$/.test(formOf(cell, comma)));
+
+/** What stands before a row of units as its name. */
+const UNITS_KEY = /^\W*(?:units?|einheit(?:en)?|unit[ée]s?|unidad(?:es)?|unit[aà]|eenheid|jednostka)\W*$/i;
+
 /** A row of units under the names: nothing but units, and one of them a real one. */
-export function isUnitsRow(cells: readonly string[]): boolean {
+export function isUnitsRow(all: readonly string[]): boolean {
+  const cells = UNITS_KEY.test(all[0] ?? '') ? all.slice(1) : all;
   const filled = cells.map((cell) => cell.trim()).filter((cell) => cell !== '' && !/^[-–—1]$/.test(cell));
   return (
     filled.length > 0 &&

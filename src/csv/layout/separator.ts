@@ -1,19 +1,13 @@
 import type { ImportChoices, Separator } from '../plan.ts';
 import { cellsOf, formOf } from './cells.ts';
+import { numberIn } from './dress.ts';
+import { isBareGroup, ungrouped } from '../reading/grouped.ts';
 
 const SEPARATORS: readonly Separator[] = [',', ';', '\t', '|', 'blanks'];
 /** Lines that decide, the last of the sample: the first may be no rows yet. */
 const DECIDING = 60;
 const COMMA_NUMBER = /^[+-]?\d*,\d+([ed][+-]?\d+)?$/i;
 const POINT_NUMBER = /^[+-]?\d*\.\d+([ed][+-]?\d+)?$/i;
-/** `1,234.5`, `1.234,5`, `1 234`, `1'234.5`. */
-const THOUSANDS =
-  /^[+-]?\d{1,3}(?:(?:,\d{3})+\.\d+|(?:\.\d{3})+,\d+|(?:,\d{3}){2,}|(?:\.\d{3}){2,}|(?:['’ \u00a0\u202f]\d{3})+(?:[.,]\d+)?)$/;
-
-export function hasThousands(cell: string): boolean {
-  return cell.length < 40 && THOUSANDS.test(cell.trim());
-}
-
 export interface Marks {
   separator: Separator;
   decimal: '.' | ',';
@@ -25,13 +19,19 @@ export function marksOf(lines: readonly string[], choices: ImportChoices): Marks
   const candidates = choices.separator ? [choices.separator] : SEPARATORS;
   let best: (Marks & { share: number; cells: number }) | null = null;
   for (const separator of candidates) {
-    const cells = deciding.flatMap((line) => cellsOf(line, separator)).filter((cell) => cell.trim() !== '');
+    const cells = deciding
+      .flatMap((line) => {
+        const own = cellsOf(line, separator);
+        // Blanks in a line that is one cell separate; in others they may part thousands.
+        return own.length === 1 && /\d\s+[\d+-]/.test(own[0]!) ? own : own.map(numberIn);
+      })
+      .filter((cell) => cell.trim() !== '');
     const decimal = choices.decimal ?? decimalOf(cells);
     // A comma behind a number is a separator that was not taken for one.
     const isNumber = (cell: string): boolean => {
       if (decimal === ',' && cell.endsWith(',')) return false;
       const form = formOf(cell, decimal === ',');
-      return form === 'number' || form === 'time' || hasThousands(cell);
+      return form === 'number' || form === 'time' || isBareGroup(cell.trim(), decimal === ',');
     };
     // One decimal comma a line is two columns as well as one.
     const numbers =
@@ -44,12 +44,16 @@ export function marksOf(lines: readonly string[], choices: ImportChoices): Marks
   return { separator, decimal };
 }
 
+/** By the cells with one meaning; `1,234` is asked only where there are none. */
 function decimalOf(cells: readonly string[]): '.' | ',' {
-  let [commas, points] = [0, 0];
+  let [commas, points, doubtful] = [0, 0, 0];
   for (const cell of cells) {
     const text = cell.trim();
-    if (COMMA_NUMBER.test(text)) commas++;
-    else if (POINT_NUMBER.test(text)) points++;
+    if (isBareGroup(text, false)) doubtful++;
+    else if (isBareGroup(text, true)) doubtful--;
+    else if (COMMA_NUMBER.test(text) || ungrouped(text, true) !== null) commas++;
+    else if (POINT_NUMBER.test(text) || ungrouped(text, false) !== null) points++;
   }
+  if (commas === points) return doubtful > 0 ? ',' : '.';
   return commas > points ? ',' : '.';
 }

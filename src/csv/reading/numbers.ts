@@ -1,3 +1,5 @@
+import { ungrouped } from './grouped.ts';
+
 /**
  * A number as CSV text with 17 significant digits, which determine a double uniquely; trailing zeros are left
  * out where that changes nothing. Empty for values that are not finite.
@@ -18,9 +20,9 @@ export function writeNumber(x: number): string {
 const PLAIN = /^[+-]?(\d+(\.\d*)?|\.\d+)([ed][+-]?\d+)?$/i;
 
 /**
- * Value of a cell, or NaN for anything that is not a plain finite decimal number (blank, hexadecimal, infinite,
- * units, thousands separators). Accepts a minus sign as typeset,
- * and Fortran's `D` before the exponent.
+ * Value of a cell, or NaN for anything that is not a finite decimal number (blank, hexadecimal, infinite, units). Accepts a
+ * minus sign as typeset, Fortran's `D` before the exponent, its exponents of three digits without a letter, powers of ten
+ * as computer algebra writes them (`1.5*^-3`, `1.5×10^-3`), and groups of thousands that have one meaning.
  */
 export function readNumber(text: string, decimalComma: boolean): number {
   const value = +text;
@@ -31,10 +33,22 @@ export function readNumber(text: string, decimalComma: boolean): number {
     if (!(second > 57) || second === 101 || second === 69) return value;
   }
   let clean = text.trim().replace(/^[−–]/, '-');
-  if (decimalComma) {
-    if (clean.includes('.')) return NaN;
-    clean = clean.replace(',', '.');
-  }
-  const careful = PLAIN.test(clean) ? +clean.replace(/d/i, 'e') : NaN;
+  const cell = clean;
+  if (decimalComma) clean = clean.includes('.') ? '' : clean.replace(',', '.');
+  const careful = PLAIN.test(clean) ? +clean.replace(/d/i, 'e') : unusual(cell, decimalComma);
   return careful - careful === 0 ? careful : NaN;
+}
+
+const POWER = /^([+-]?[\d.]+)(?:\*\^|\s*[×x*·]\s*10\^?)\{?([+\-−]?\d+)\}?$/;
+const NO_LETTER = /^([+-]?\d*\.\d*)([+-]\d{3})$/;
+
+function unusual(text: string, decimalComma: boolean): number {
+  const last = text.charCodeAt(text.length - 1);
+  // Nearly all that comes here are words.
+  if (last !== 125 && last !== 46 && last !== 44 && !(last >= 48 && last <= 57)) return NaN;
+  const plain = ungrouped(text, decimalComma);
+  if (plain !== null) return +plain;
+  const point = decimalComma ? text.replace(',', '.') : text;
+  const power = POWER.exec(point) ?? NO_LETTER.exec(point);
+  return power ? +`${power[1]}e${power[2]!.replace('−', '-')}` : NaN;
 }

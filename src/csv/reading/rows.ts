@@ -1,6 +1,6 @@
 import { isMissing, isSpreadsheetError } from '../layout/errors.ts';
-import { hasThousands } from '../layout/separator.ts';
 import type { TimeReader } from '../time/reader.ts';
+import { isBareGroup } from './grouped.ts';
 import { Issues, type CsvIssue } from './issues.ts';
 import { readNumber } from './numbers.ts';
 
@@ -212,7 +212,10 @@ function reasonFor(cell: string | undefined, count: number, width: number, decim
   if (isSpreadsheetError(text)) return `${shown} is a spreadsheet's error: the cell has no value`;
   if (/^[+-]?(inf(inity)?|∞)$/i.test(text) || /^[+-]?1\.#inf/i.test(text) || Math.abs(+text) === Infinity)
     return `${shown} is not a finite number`;
-  if (hasThousands(text)) return `${shown} has thousands separators; write the number without them`;
+  if (isBareGroup(text, decimalComma === true)) {
+    const whole = text.replace(/[.,]/, '');
+    return `${shown} could be ${whole} or ${text.replace(',', '.')}: write it without a thousands separator, or with the file's decimal ${decimalComma ? 'comma' : 'point'}`;
+  }
   if (!decimalComma && /^[+-]?\d+,\d+$/.test(text)) return `${shown} has a comma where the file has decimal points`;
   if (decimalComma && text.includes('.')) return `${shown} has a point where the file has decimal commas`;
   return `${shown} is not a number`;

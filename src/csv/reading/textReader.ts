@@ -1,6 +1,7 @@
 import { systemNamed } from '../../core/scenario/own.ts';
 import { eachRecord, LineSource, LONGEST_LINE, withoutComments } from '../layout/lines.ts';
-import { labelledCells, unstamped } from '../layout/logLines.ts';
+import { undressed } from '../layout/dress.ts';
+import { labelledCells, unbracketed, unstamped } from '../layout/logLines.ts';
 import { Pivot } from '../layout/long.ts';
 import type { Encoding, ImportChoices, ImportPlan } from '../plan.ts';
 import { OFFERED_STEP } from '../time/timePlan.ts';
@@ -183,8 +184,9 @@ export class CsvReader {
     const { store, understood } = this;
     if (!store || !understood) return;
     const { only } = understood;
-    const { lineForm, separator } = understood;
-    const sink = (cells: string[], line: number): void => {
+    const { lineForm, separator, dress, decimal } = understood;
+    const sink = (given: string[], line: number): void => {
+      const cells = dress ? undressed(given, dress, decimal === ',') : given;
       if (only && (cells[only.column] ?? '').trim() !== only.value) return;
       if (this.ended || line < understood.firstRow || (cells.length <= 1 && isBlank(cells[0] ?? ''))) return;
       if (this.pivot) this.pivot.push(cells, line);
@@ -194,7 +196,11 @@ export class CsvReader {
     if (lineForm === 'labelled') {
       const labels = understood.columns.map((c) => c.title);
       for (const [i, line] of rows.split('\n').entries()) sink(labelledCells(line, labels), this.line + i);
-    } else eachRecord(lineForm === 'stamped' ? unstamped(rows, separator) : rows, separator, this.line, sink);
+    } else {
+      const inner =
+        lineForm === 'stamped' ? unstamped(rows, separator) : lineForm === 'bracketed' ? unbracketed(rows) : rows;
+      eachRecord(inner, separator, this.line, sink);
+    }
   }
 
   private comments(text: string): void {

@@ -15,7 +15,8 @@ export class EpochClock {
 
   /** The time since the first one read, in the numbers' own unit; NaN for anything but plain digits. */
   since(text: string): number {
-    const match = PATTERN.exec(text.trim());
+    const plain = text.trim();
+    const match = PATTERN.exec(/[ed]/i.test(plain) ? withoutExponent(plain) : plain);
     if (!match || match[2]!.length > 24) return NaN;
     const digits = match[2]!;
     const sign = match[1] === '-' ? -1 : 1;
@@ -28,6 +29,16 @@ export class EpochClock {
     }
     return (high - this.baseHigh) * HALF + (low - this.baseLow) + (fraction - this.baseFraction);
   }
+}
+
+/** `1.744909208e+09` as plain digits: the point moved, nothing rounded. */
+function withoutExponent(text: string): string {
+  const match = /^([+-]?)(\d+)(?:[.,](\d*))?[ed]([+-]?\d{1,2})$/i.exec(text);
+  if (!match) return text;
+  const [, sign, whole = '', part = '', power] = match;
+  const [digits, point] = [whole + part, whole.length + +power!];
+  if (point <= 0 || point > 24) return text;
+  return `${sign}${digits.padEnd(point, '0').slice(0, point)}.${digits.slice(point)}`;
 }
 
 /** Since 1970, in which unit? By size: years 1990 to 2100. Null where it is no such time. */

@@ -39,6 +39,26 @@ export function timeReaderOf(time: TimePlan, choices: ImportChoices, comma: bool
         return Math.round(since * 1e6) / 1e6;
       };
     }
+    case 'parts': {
+      let [base, last, days]: [number | null, number, number] = [null, -Infinity, 0];
+      const dated = time.columns.length === 6;
+      return (cells) => {
+        const parts = time.columns.map((column) => readNumber(cells[column] ?? '', comma));
+        const [second = NaN, minute = NaN, hour = 0] = parts.slice(-3).reverse();
+        const day = dated ? Date.UTC(parts[0]!, parts[1]! - 1, parts[2]) / 86400000 : 0;
+        const clock = 86400 * day + 3600 * hour + 60 * minute + second;
+        base ??= Number.isNaN(clock) ? null : clock;
+        let since = clock - (base ?? 0) + 86400 * days;
+        // Hours begin again at midnight, minutes alone after an hour.
+        const around = dated ? Infinity : time.columns.length === 3 ? 86400 : 3600;
+        if (since < last - around / 2) {
+          days += around / 86400;
+          since += around;
+        }
+        if (since === since) last = since;
+        return Math.round(since * 1e9) / 1e9;
+      };
+    }
     case 'epoch': {
       const clock = new EpochClock();
       // Seconds in one column, the digits behind the point in the next: 17 and 5 are 17.000000005.

@@ -2,7 +2,7 @@ import { plainName } from '../names/plainName.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
 const TIMES = new Set(
-  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος 时间 時間 時刻 时刻 시간 messzeit zeitachse laufzeit verstrichenezeit tempsecoule tempodecorrido tiempotranscurrido tempotrascorso timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
     ' ',
   ),
 );
@@ -19,13 +19,34 @@ export function timeRank(name: string): number | null {
   const plain = plainName(name);
   if (plain === 't' || plain === 'time') return 0;
   if (TIMES.has(plain)) return 1;
-  if (/^(?:ros|gps|system|unix|sensor|device|world|wall|header\.?)?(?:time(?:stamp)?|stamp)$/.test(plain)) return 2;
+  // The unit may follow at once: `TimeUS`, `timestampms`.
+  if (
+    /^(?:ros|gps|system|unix|sensor|device|world|wall|header\.?)?(?:time(?:stamp)?|stamp)(?:ms|us|ns|sec)?$/.test(plain)
+  )
+    return 2;
   return null;
 }
 
 export const isDateName = (name: string): boolean => DATES.has(plainName(name));
 export const isFrameName = (name: string): boolean => FRAMES.has(plainName(name));
 export const isIndexName = (name: string): boolean => INDICES.has(plainName(name));
+
+/** What a column of a date or a clock counts, where each part has its own. */
+export const CALENDAR = ['year', 'month', 'day', 'hour', 'minute', 'second'] as const;
+const PARTS: readonly RegExp[] = [
+  /^(?:yyyy|yy|year|jahr|année|annee|año|anno|ano)$/,
+  /^(?:month|monat|mois|mes|mese|mon)$/,
+  /^(?:day|tag|jour|dia|giorno|dd)$/,
+  /^(?:hours?|hh|hr|h|stunden?|heures?|horas?|ore)$/,
+  /^(?:minutes?|min|mm|minuten?|minutos?|minuti)$/,
+  /^(?:seconds?|secs?|ss|s|sekunden?|secondes?|segundos?|secondi)$/,
+];
+
+/** Which part of a date or a clock a name says, as an index of `CALENDAR`; -1 for none. */
+export const calendarPart = (name: string): number => {
+  const plain = plainName(name);
+  return PARTS.findIndex((part) => part.test(plain));
+};
 
 /** `nsecs` beside `secs`, `stamp.nanosec` beside `stamp.sec`. */
 export function isRestOfSecond(seconds: string, rest: string): boolean {
@@ -39,6 +60,8 @@ export function unitInTimeName(name: string): string {
   const plain = plainName(name);
   if (/^(?:millis|milliseconds?)$/.test(plain)) return 'ms';
   if (/^(?:micros|microseconds?)$/.test(plain)) return 'us';
+  const behind = /^.*(?:time|stamp)(ms|us|ns)$/.exec(plain)?.[1];
+  if (behind) return behind;
   if (/^(?:seconds?|secs?|secondselapsed|tsec|timesec)$/.test(plain)) return 's';
   return '';
 }

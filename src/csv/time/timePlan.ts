@@ -6,9 +6,18 @@ import { isMeant, type Source } from '../source.ts';
 import { factorOf, RIGHT_UNITS } from '../units/units.ts';
 import { unitBehind } from '../units/titles.ts';
 import { readNumber } from '../reading/numbers.ts';
-import { clockSeconds, dateDays, isAmbiguousDate, moment } from './clock.ts';
+import { clockSeconds, dateDays, isAmbiguousDate, isStamp, moment } from './clock.ts';
 import { epochUnit } from './epoch.ts';
-import { isDateName, isFrameName, isIndexName, isRestOfSecond, timeRank, unitInTimeName } from './timeNames.ts';
+import {
+  CALENDAR,
+  calendarPart,
+  isDateName,
+  isFrameName,
+  isIndexName,
+  isRestOfSecond,
+  timeRank,
+  unitInTimeName,
+} from './timeNames.ts';
 import { typicalStep } from './order.ts';
 
 export interface TimeFinding {
@@ -46,8 +55,8 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
     return {
       source,
       rank: rankOf(source),
-      numbers: share((cell) => !Number.isNaN(readNumber(cell, comma))),
-      moments: share((cell) => Number.isNaN(readNumber(cell, comma)) && moment(cell) !== null),
+      numbers: share((cell) => !Number.isNaN(readNumber(cell, comma)) && !isStamp(cell)),
+      moments: share((cell) => (Number.isNaN(readNumber(cell, comma)) && moment(cell) !== null) || isStamp(cell)),
       dates,
       clocks,
       cells,
@@ -69,6 +78,8 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
     return single(columns[0]!, choices, comma);
   }
   const named = sources.filter((s) => rankOf(s) < 9 || isDateName(s.name)).map(column);
+  const parts = calendarColumns(sources, (source) => column(source).numbers > 0.9);
+  if (parts) return finding(parts, 'parts', '', 1, []);
   const date =
     named.find((c) => isDateName(c.source.name) && c.dates > 0.5) ??
     named.find((c) => c.dates > 0.8 && c.numbers < 0.5);
@@ -100,6 +111,17 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
     return found;
   }
   return counted(layout, choices, sources.find((s) => isFrameName(s.name) && column(s).numbers > 0.5) ?? null);
+}
+
+/** A column each for year, month, day, hour, minute and second, or for the last three or two of them. */
+function calendarColumns(sources: readonly Source[], isNumeric: (source: Source) => boolean): number[] | null {
+  const found = CALENDAR.map((_, part) => sources.findIndex((s) => calendarPart(s.plain) === part));
+  for (const from of [0, 3, 4]) {
+    const columns = found.slice(from);
+    const together = columns.every((column, i) => column >= 0 && (i === 0 || column === columns[i - 1]! + 1));
+    if (together && columns.every((column) => isNumeric(sources[column]!))) return columns;
+  }
+  return null;
 }
 
 /** A first column without a name that rises evenly, though not by whole rows: numpy's and pandas' times. */

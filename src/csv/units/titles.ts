@@ -2,7 +2,7 @@ import { isUnit } from './units.ts';
 
 /** No longer title is a name with a unit; the patterns would take long over it. */
 const LONGEST_TITLE = 200;
-const BRACKETED = /^(.*?)[[({<]([^\])}>]*)[\])}>]$/;
+const BRACKETED = /^(.*?)[[({<（【]([^\])}>）】]*)[\])}>）】]$/;
 /** `x/mm`, `x: mm`, `x, mm`, `x in mm`, `x_mm`, `x mm`. */
 const BEHIND = /^(.+?)(?:\s*[/:,]\s*|[_\s]+in[_\s]+|[_\s]+)([^\s_:,]+)$/;
 

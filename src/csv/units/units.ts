@@ -91,6 +91,23 @@ export function factorOf(unit: string, kind: Kind): number | undefined {
   }
 }
 
+const words = (unit: string, spelled: string): [string, string][] => spelled.split(' ').map((word) => [word, unit]);
+/** Units as other languages spell them. */
+const WORDS = new Map([
+  ...words('deg', 'graus graden grader stopnie stopni stupně stupne astetta derece град градусы градусов 度 °'),
+  ...words('rad', 'radianos radialen radiany radianer рад радианы радиан 弧度 ラジアン'),
+  ...words('m', 'м метр метры метров metr metry metrów metrar 米 公尺 メートル'),
+  ...words('mm', 'мм milímetros milimetros millimetri millimètres millimètre milimetry 毫米 ミリメートル'),
+  ...words('cm', 'см centímetros centimetros centimetri centimètres centymetry 厘米 センチメートル'),
+  ...words('km', 'км quilómetros quilômetros chilometri kilomètres 公里'),
+  ...words('s', 'с сек секунд секунды seconden sekunder sekundy sekund saniye 秒'),
+  ...words('ms', 'мс милисекунд milisegundos millisecondi milliseconden millisecondes milisekundy 毫秒 ミリ秒'),
+  ...words('us', 'мкс microsegundos microsecondi microseconden microsecondes mikrosekunden 微秒 マイクロ秒'),
+  ...words('ns', 'нс nanosegundos nanosecondi nanosecondes nanosekunden 纳秒'),
+  ...words('min', 'мин minuti minutos minuty 分 分钟'),
+  ...words('h', 'ч час godziny horas heures ore uren 时 時 小时'),
+]);
+
 function spelledPlainly(unit: string): string {
   return (
     unit
@@ -117,6 +134,9 @@ function spelledPlainly(unit: string): string {
       .replace(/\b(?:inch(?:es)?)\b/g, 'in')
       .replace(/\b(?:foot|feet)\b/g, 'ft')
       .replace(/\b(?:turns|revs?|revolutions?|umdrehung(?:en)?)\b/g, 'rev')
+      .split('/')
+      .map((part) => WORDS.get(part) ?? part)
+      .join('/')
   );
 }
 

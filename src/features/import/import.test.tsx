@@ -45,6 +45,7 @@ const degrees: Question = {
 const plan: ImportPlan = {
   encoding: 'utf-8',
   lineForm: 'plain',
+  dress: null,
   separator: ';',
   decimal: ',',
   headerLines: [3],

@@ -68,6 +68,7 @@ export const words = {
     clock: 'times of day, counted from the first row',
     'date and clock': 'a date and a time of day in two columns, counted from the first row',
     'compact clock': 'times of day (hhmmss), counted from the first row',
+    parts: 'a column for each part of the clock, counted from the first row',
     frame: 'frame numbers, a step apart',
     counted: 'counted',
   } satisfies Record<TimeForm, string>,

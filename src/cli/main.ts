@@ -7,6 +7,7 @@ import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
 import { bench } from './bench/bench.ts';
+import { curves } from './curves.ts';
 import { gaitReport, type GaitOptions } from './gait.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
@@ -23,6 +24,8 @@ const USAGE = `Usage:
                                                                      as JSON how many digits are right until when
   npm run --silent ripstik -- point SCENARIO.json                    state, accelerations and multipliers at t = 0, as JSON
   npm run --silent ripstik -- linearize SCENARIO.json                A, B, modes, gain and closed loop about a steady motion, as JSON
+  npm run --silent ripstik -- curves SCENARIO.json [--out CURVES.csv] growth, largest gain and delay margin of its lqr, designed
+       [--from 0] [--to 10] [--count 41] [--over NAME]               anew over the speed, or a parameter or state (SI), as JSON
   npm run --silent ripstik -- test SCENARIO.json                     manoeuvres with pass or fail: exit 0 if all passed, 1 if not
        [--tests TESTS.json] [--report OUT.json] [--junit OUT.xml]    (without --tests: those that come with the system)
   npm run --silent ripstik -- read FILE [--out RUN.csv]              any table of numbers: what is understood, as JSON; its rows as CSV
@@ -113,6 +116,15 @@ async function main(args: readonly string[]): Promise<number> {
       ? { tests: takeOption(rest, '--tests'), report: takeOption(rest, '--report'), junit: takeOption(rest, '--junit') }
       : null;
   const pumping = command === 'gait' ? gaitOptions(rest) : null;
+  const curving =
+    command === 'curves'
+      ? {
+          over: takeOption(rest, '--over'),
+          from: takeOption(rest, '--from'),
+          to: takeOption(rest, '--to'),
+          count: takeOption(rest, '--count'),
+        }
+      : null;
   const reading = command === 'read' ? readOptions(rest) : {};
   const sweeping =
     command === 'sweep'
@@ -138,6 +150,11 @@ async function main(args: readonly string[]): Promise<number> {
     case 'linearize': {
       const { scenario, system } = await readScenario(rest[0]);
       print({ ...controlReport(scenario, system), ...computerReport(scenario, system) });
+      return 0;
+    }
+    case 'curves': {
+      const { scenario, system } = await readScenario(rest[0]);
+      print(curves(scenario, system, rest[0]!, { out, ...curving! }));
       return 0;
     }
     case 'test': {
@@ -168,7 +185,7 @@ async function main(args: readonly string[]): Promise<number> {
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(
-        `no command "${command}"; there are simulate, point, linearize, test, read, gait, sweep, cases and bench`,
+        `no command "${command}"; there are simulate, point, linearize, curves, test, read, gait, sweep, cases and bench`,
       );
   }
 }

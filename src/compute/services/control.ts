@@ -57,11 +57,22 @@ export const calls: Handlers<ControlCalls> = {
       import('../../core/control/locus/scenarioLocus.ts'),
       systemOf(scenario),
     ]);
-    let told = performance.now();
-    return scenarioLocus(scenario, system, request, (share) => {
-      if (performance.now() - told < TELL_MS) return;
-      told = performance.now();
-      emit(share);
-    });
+    return scenarioLocus(scenario, system, request, nowAndThen(emit));
+  },
+  async 'control.curves'({ scenario, request }, { emit }) {
+    const [{ designCurves }, system] = await Promise.all([
+      import('../../core/control/locus/designCurves.ts'),
+      systemOf(scenario),
+    ]);
+    return designCurves(scenario, system, request, nowAndThen(emit));
   },
 };
+
+function nowAndThen(emit: (share: number) => void): (share: number) => void {
+  let told = performance.now();
+  return (share) => {
+    if (performance.now() - told < TELL_MS) return;
+    told = performance.now();
+    emit(share);
+  };
+}

@@ -3,6 +3,7 @@ import type { ComputerReport } from '../../core/control/sampled/computerReport.t
 import type { RegulatorEffect } from '../../core/control/design/effect.ts';
 import type { Responses, ResponsesRequest } from '../../core/control/responses.ts';
 import type { TurnMap } from '../../core/control/path/turnMap.ts';
+import type { CurvesRequest, DesignCurves } from '../../core/control/locus/designCurves.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -20,4 +21,6 @@ export interface ControlCalls {
   'control.turns': Call<Scenario, TurnMap>;
   /** Eigenvalues along a range; tells its share (0 to 1). It does not look at its mailbox: end its worker to cancel it. */
   'control.locus': Call<{ scenario: Scenario; request: LocusRequest }, ScenarioLocus, number>;
+  /** Its regulator designed anew along a range. As `control.locus`. */
+  'control.curves': Call<{ scenario: Scenario; request: CurvesRequest }, DesignCurves, number>;
 }

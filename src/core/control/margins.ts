@@ -1,7 +1,7 @@
 import { Matrix, SingularValueDecomposition } from 'ml-matrix';
 import { complexLuFactor, complexLuSolve } from '../linalg/complexLu.ts';
 import { modulus, plainEigenvalues, type Complex } from './linearization/spectrum.ts';
-import { held } from './sampled/hold.ts';
+import { held, heldWithDelay } from './sampled/hold.ts';
 
 /**
  * How far a state feedback `u = -K x` of `x' = A x + B u` is from losing its stability, at the inputs:
@@ -66,22 +66,31 @@ export function frequencies({ A, B, K }: Loop): number[] {
 /**
  * L(i w), k x k, as real and imaginary parts.
  *
+ * @param loop A n x n, B n x k, K k x n
  * @param w rad/s
  */
-export function loopGain({ A, B, K }: Loop, w: number): { re: Matrix; im: Matrix } {
+export function loopGain(loop: Loop, w: number): { re: Matrix; im: Matrix } {
+  return gainAt(loop, [0, w]);
+}
+
+/** K (s - A)^-1 B, k x k, at any complex s. */
+function gainAt({ A, B, K }: Loop, [x, y]: Complex): { re: Matrix; im: Matrix } {
   const [n, k] = [A.rows, B.columns];
   const re = Float64Array.from(Matrix.mul(A, -1).to1DArray());
   const im = new Float64Array(n * n);
-  for (let i = 0; i < n; i++) im[i * n + i] = w;
+  for (let i = 0; i < n; i++) {
+    re[i * n + i]! += x;
+    im[i * n + i] = y;
+  }
   const pivots = new Int32Array(n);
   const [X, Y] = [new Matrix(n, k), new Matrix(n, k)];
   if (!complexLuFactor(re, im, n, pivots)) return { re: new Matrix(K.rows, k), im: new Matrix(K.rows, k) };
   for (let c = 0; c < k; c++) {
-    const [x, y] = [Float64Array.from(B.getColumn(c)), new Float64Array(n)];
-    complexLuSolve(re, im, n, pivots, x, y);
+    const [right, imaginary] = [Float64Array.from(B.getColumn(c)), new Float64Array(n)];
+    complexLuSolve(re, im, n, pivots, right, imaginary);
     for (let r = 0; r < n; r++) {
-      X.set(r, c, x[r]!);
-      Y.set(r, c, y[r]!);
+      X.set(r, c, right[r]!);
+      Y.set(r, c, imaginary[r]!);
     }
   }
   return { re: K.mmul(X), im: K.mmul(Y) };
@@ -160,11 +169,20 @@ function bisected(f: (x: number) => number, from: number, to: number, valueFrom:
   return (a + b) / 2;
 }
 
+/**
+ * The shortest pure delay, in all inputs alike, that lets a mode grow, s; Infinity if none does.
+ *
+ * @param loop with A - B K stable
+ * @param grid frequencies, rad/s, ascending
+ */
+export function delayMargin(loop: Loop, grid: readonly number[] = frequencies(loop)): number {
+  return shortestDelay((w) => loopGain(loop, w), loop.B.columns, grid);
+}
+
 /** A common delay T turns all of L by w T: a mode is on the axis where an eigenvalue of modulus 1 comes to -1. */
-function delayMargin(loop: Loop, grid: readonly number[]): number {
-  const k = loop.B.columns;
+function shortestDelay(gain: (w: number) => { re: Matrix; im: Matrix }, k: number, grid: readonly number[]): number {
   const sorted = (w: number): Complex[] => {
-    const { re, im } = loopGain(loop, w);
+    const { re, im } = gain(w);
     return complexEigenvalues(re, im).sort((a, b) => modulus(b) - modulus(a));
   };
   let least = Infinity;
@@ -176,6 +194,43 @@ function delayMargin(loop: Loop, grid: readonly number[]): number {
     }
   }
   return least;
+}
+
+/** Corrections of the part of a sample; the delay falls almost by what is added to it. */
+const MOST_PARTS = 30;
+
+/**
+ * The shortest delay in all inputs alike, from measurement to actuation, that lets a mode grow where the gain is held
+ * between samples (zero-order hold), s; 0 where it grows without one, Infinity if none does.
+ *
+ * A delay is m samples and a part f of one: m turns L by w h m, f is in the sampled plant. At the margin both fit.
+ *
+ * @param loop continuous, with A - B K stable
+ * @param h sample time, s
+ */
+export function heldDelayMargin(loop: Loop, h: number): number {
+  const { A, B, K } = loop;
+  const plant = held(A, B, h);
+  if (plainEigenvalues(Matrix.sub(plant.A, plant.B.mmul(K))).some((value) => modulus(value) >= 1)) return 0;
+  const most = Math.PI / h;
+  const grid = [...frequencies(loop).filter((w) => w < most), most];
+  const samples = (part: number): number => {
+    const { A: Ah, B: Bh } = heldWithDelay(A, B, h, part * h);
+    const Kh = Matrix.zeros(K.rows, Ah.rows);
+    Kh.setSubMatrix(K, 0, 0);
+    const sampled = { A: Ah, B: Bh, K: Kh };
+    return shortestDelay((w) => gainAt(sampled, [Math.cos(w * h), Math.sin(w * h)]), B.columns, grid) / h;
+  };
+  const first = samples(0);
+  if (!(first < Infinity)) return Infinity;
+  const whole = Math.floor(first);
+  let part = first - whole;
+  for (let i = 0; i < MOST_PARTS; i++) {
+    const rest = samples(part) - whole;
+    if (Math.abs(rest) < 1e-9) break;
+    part = Math.min(1, Math.max(0, part + rest));
+  }
+  return (whole + part) * h;
 }
 
 const SAMPLES_PER_DECADE = 60;

@@ -129,3 +129,15 @@ test('a balanced board: closed loop, gains as JSON, root locus computed, walked,
   await expect(page.getByTestId('locus-critical')).toContainText('nothing grows above');
   expect(watch.errors).toEqual([]);
 });
+
+test('a rider from rest to 5 m/s: growth, largest gain and delay margin', async ({ page }) => {
+  await openWithoutScene(page);
+  await chooseCase(page, 'rider-balanced');
+  await page.getByTestId('tool-analysis').click();
+  await ready(page);
+  await page.getByTestId('curves-section').locator('summary').click();
+  await typeIn(page, 'curves-count', '2');
+  await page.getByTestId('curves-run').click();
+  const rows = page.getByTestId('curves-table').locator('tbody tr');
+  await expect(rows).toHaveText([/^0\s*2\.998\s*58226\s*tau_af per beta/, /^5\s*2\.564\s*143\.8\s*tau_af per beta/]);
+});

@@ -22,6 +22,7 @@ const ASKER = 'analysis';
 /** Loaded and computed when its section is opened. */
 const ResponsesBody = later(async () => (await import('./responsesSection.tsx')).ResponsesBody);
 const TurnsBody = later(async () => (await import('./turnsSection.tsx')).TurnsBody);
+const CurvesBody = later(async () => (await import('./curvesSection.tsx')).CurvesBody);
 
 export interface AnalysisProps {
   save: SaveText;
@@ -61,6 +62,9 @@ export function AnalysisView({ save }: AnalysisProps) {
       </div>
       <OpenedSection title={words.responses} testId="responses-section">
         <ResponsesBody names={names} />
+      </OpenedSection>
+      <OpenedSection title={words.curves} testId="curves-section">
+        <CurvesBody names={names} system={system} save={save} />
       </OpenedSection>
       {(system.meta.forward ?? system.meta.speed) && (
         <OpenedSection title={words.turns} testId="turns-section">

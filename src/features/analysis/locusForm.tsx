@@ -13,7 +13,7 @@ import { offeredRange, type LocusSubject } from './subjects.ts';
 const COUNT = 121;
 const MOST = 1000;
 
-type Range = Pick<LocusRequest, 'from' | 'to' | 'count'>;
+export type Range = Pick<LocusRequest, 'from' | 'to' | 'count'>;
 
 export function LocusForm({
   subjects,
@@ -21,6 +21,9 @@ export function LocusForm({
   computing,
   onStart,
   onCancel,
+  offered: offeredCount = COUNT,
+  against = words.against,
+  testId = 'locus',
   children,
 }: {
   subjects: readonly LocusSubject[];
@@ -28,6 +31,10 @@ export function LocusForm({
   computing: boolean;
   onStart(subject: LocusSubject, range: Range): void;
   onCancel(): void;
+  /** How many values are offered. */
+  offered?: number;
+  against?: string;
+  testId?: string;
   children?: ComponentChildren;
 }) {
   const id = useId();
@@ -37,12 +44,12 @@ export function LocusForm({
   const range = {
     from: numberOf(typed.value.from, offered.from),
     to: numberOf(typed.value.to, offered.to),
-    count: typed.value.count ?? COUNT,
+    count: typed.value.count ?? offeredCount,
   };
   const rising = range.from < range.to;
   const { angle, unit, least, most } = subject.value;
   const spec = (end: 'from' | 'to'): NumberSpec => ({
-    path: `locus.${end}`,
+    path: `${testId}.${end}`,
     label: words[end],
     unit,
     angle,
@@ -57,18 +64,18 @@ export function LocusForm({
     aside() {},
   });
   const count: NumberSpec = {
-    path: 'locus.count',
+    path: `${testId}.count`,
     label: words.steps,
     angle: false,
     numeric: true,
     min: 2,
     max: MOST,
     value: range.count,
-    base: COUNT,
-    rest: COUNT,
+    base: offeredCount,
+    rest: offeredCount,
     step: 10,
     commit: (value) => {
-      typed.value = { ...typed.value, count: Math.round(Number(value ?? COUNT)) };
+      typed.value = { ...typed.value, count: Math.round(Number(value ?? offeredCount)) };
     },
     aside() {},
   };
@@ -81,11 +88,11 @@ export function LocusForm({
       }}
     >
       <div class="choice">
-        <label for={id}>{words.against}</label>
+        <label for={id}>{against}</label>
         <select
           id={id}
           value={subject.value.id}
-          data-testid="locus-subject"
+          data-testid={`${testId}-subject`}
           onChange={(event) => {
             subject.value = subjects.find((s) => s.id === event.currentTarget.value)!;
             typed.value = {};
@@ -112,9 +119,9 @@ export function LocusForm({
         </select>
       </div>
       <div class="locus-range" key={subject.value.id}>
-        <NumberField spec={spec('from')} testId="locus-from" />
-        <NumberField spec={spec('to')} testId="locus-to" />
-        <NumberField spec={count} testId="locus-count" />
+        <NumberField spec={spec('from')} testId={`${testId}-from`} />
+        <NumberField spec={spec('to')} testId={`${testId}-to`} />
+        <NumberField spec={count} testId={`${testId}-count`} />
       </div>
       {children}
       {!rising && (
@@ -123,10 +130,10 @@ export function LocusForm({
         </p>
       )}
       <div class="run-buttons">
-        <button type="submit" class="primary" data-testid="locus-run" disabled={!rising || computing}>
+        <button type="submit" class="primary" data-testid={`${testId}-run`} disabled={!rising || computing}>
           {words.compute}
         </button>
-        <button type="button" data-testid="locus-cancel" disabled={!computing} onClick={onCancel}>
+        <button type="button" data-testid={`${testId}-cancel`} disabled={!computing} onClick={onCancel}>
           {text.panel.cancel}
         </button>
       </div>

@@ -9,7 +9,7 @@ import type { Signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { locusCsv } from '../../core/control/design/exports.ts';
 import type { LocusRequest, ScenarioLocus } from '../../core/control/locus/scenarioLocus.ts';
-import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemView } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
 import { Check, Section } from '../../ui/kit/controls.tsx';
@@ -23,7 +23,7 @@ import { eigenvalueText, signed } from './modes.ts';
 import type { Column } from '../../core/motion/columns.ts';
 import { analysedPart } from './names.ts';
 import { bendOf, isWide } from './planeScale.ts';
-import { subjectsOf, type LocusSubject } from './subjects.ts';
+import { parametersOf, subjectsOf, type LocusSubject } from './subjects.ts';
 
 type Standing = { kind: 'idle' } | { kind: 'computing'; share: number } | { kind: 'failed'; message: string };
 
@@ -114,15 +114,6 @@ export function LocusSection({
       )}
     </Section>
   );
-}
-
-/** Values in force, so that a range can be offered around them. */
-function parametersOf(draft: ScenarioFile, { meta }: SystemView): Scenario['parameters'] {
-  const set = draft.parameterSet === undefined ? {} : meta.parameterSets[draft.parameterSet];
-  const named = Object.fromEntries(
-    Object.entries(draft.parameters ?? {}).filter(([, value]) => typeof value === 'number'),
-  ) as Record<string, number>;
-  return { ...Object.fromEntries(meta.parameters.map((p) => [p.name, p.default])), ...set, ...named };
 }
 
 function Locus({ done: { locus, subject }, save, stale }: { done: Done; save: SaveText; stale: boolean }) {

@@ -1,6 +1,7 @@
 /** What a root locus can be drawn against, and the range that is offered. */
 import type { LocusRequest } from '../../core/control/locus/scenarioLocus.ts';
 import type { SystemView } from '../../core/model/system.ts';
+import type { Scenario, ScenarioFile } from '../../core/scenario/types.ts';
 import type { Column } from '../../core/motion/columns.ts';
 
 export interface LocusSubject {
@@ -74,6 +75,15 @@ export function offeredRange(
   const reach = Math.abs(value) || (angle ? 0.5 : 1);
   const from = Math.max(value > 0 ? value - 0.9 * reach : value - reach, least);
   return { from: tidy(from), to: tidy(Math.min(value + reach, most)) };
+}
+
+/** Values in force, so that a range can be offered around them. */
+export function parametersOf(draft: ScenarioFile, { meta }: SystemView): Scenario['parameters'] {
+  const set = draft.parameterSet === undefined ? {} : meta.parameterSets[draft.parameterSet];
+  const named = Object.fromEntries(
+    Object.entries(draft.parameters ?? {}).filter(([, value]) => typeof value === 'number'),
+  ) as Record<string, number>;
+  return { ...Object.fromEntries(meta.parameters.map((p) => [p.name, p.default])), ...set, ...named };
 }
 
 const tidy = (x: number): number => Number(x.toPrecision(6));

@@ -82,6 +82,24 @@ export const words = {
   stepOf: (label: string) => `Answer of ${label} to a step of the disturbance`,
   stepTime: 'time, s',
   stepInput: 'what the regulator asks of the input',
+  curves: 'Curves over speed',
+  curvesNote:
+    'The regulator is designed anew, with the same weights, at every speed (or for every value of what you choose). Three curves tell what balancing takes there: how fast it falls by itself; the largest gain, torque per lean, which says how much the inputs have to do; and the delay margin, how late they may act. A board that must steer to stay under its rider needs ever larger gains as it slows down.',
+  curvesNeedGain:
+    'Choose the LQR in the Control section of the panel, or a case with one: its gain is what the curves tell.',
+  curvesAgainst: 'Curves against',
+  growthCurve: 'growth of the fastest mode, 1/s',
+  gainCurve: 'largest gain',
+  delayCurves: 'delay margin, s',
+  delayCurve: 'delay margin, s',
+  heldDelayCurve: (sample: string) => `delay margin held at ${sample} ms, s`,
+  growthColumn: 'growth, 1/s',
+  gainColumn: 'largest gain',
+  entryColumn: 'which',
+  entry: (input: string, state: string) => `${input} per ${state}`,
+  noDesign: (n: number, value: string, reason: string) =>
+    `${n === 1 ? 'One value has' : `${n} values have`} no design, the first at ${value}: ${reason}`,
+  curvesCsv: 'Curves as CSV',
   turns: 'Steady turns',
   turnsNote:
     'Circles at constant speed, held by the controller’s inputs, or all of the system’s: how fast the board would fall with those inputs held still. Empty where there is no such turn.',

@@ -8,9 +8,10 @@ import {
 } from '../../../src/core/control/locus/families.ts';
 import { GainSchedule } from '../../../src/core/control/design/gainSchedule.ts';
 import { assign, rootLocus } from '../../../src/core/control/locus/rootLocus.ts';
+import { scenarioLocus } from '../../../src/core/control/locus/scenarioLocus.ts';
 import type { Complex } from '../../../src/core/control/linearization/spectrum.ts';
 import { systems } from '../../../src/core/systems/all.ts';
-import { seeded } from '../../helpers.ts';
+import { scenarioOf, seeded } from '../../helpers.ts';
 
 const grid = (from: number, to: number, count: number) =>
   Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
@@ -108,6 +109,16 @@ const plant = {
 const bySpeed: OneOpen = { plant, at: {}, varied: { kind: 'at', name: 'X_dot' } };
 const motors = system.meta.inputs.filter((i) => ['tau_fc', 'tau_bc'].includes(i.name));
 const weights = { Q: Array<number>(20).fill(1), R: [1, 1] };
+
+test.each([{}, { speed: 5 }])(
+  'a bicycle over its speed, the point at %o: weave and capsize where they are known',
+  (at) => {
+    const scenario = scenarioOf({ version: 1, system: 'bicycle', at });
+    const request = { vary: 'at', name: 'speed', from: 1, to: 9, count: 9, closed: false } as const;
+    const { critical } = scenarioLocus(scenario, systems.bicycle!, request, () => {});
+    expect(critical.map(({ value }) => Number(value.toFixed(6)))).toEqual([4.292383, 6.024262]);
+  },
+);
 
 describe('the board', () => {
   test('two modes grow at every speed from rest to 10 m/s: it never balances by itself', () => {

@@ -1,6 +1,6 @@
 import type { Matrix } from 'ml-matrix';
 import { StartError } from '../../mechanics/consistentStart.ts';
-import type { InputMeta } from '../../model/system.ts';
+import type { InputMeta, SystemMeta } from '../../model/system.ts';
 import { linearize } from '../linearization/linearize.ts';
 import { designLqr, reachablePlant, type LqrDesign, type Weights } from '../design/lqr.ts';
 import { ControlError } from '../linearization/matrices.ts';
@@ -23,12 +23,19 @@ export interface OneOpen {
  * @param value of the number that varies, SI
  */
 export function setTo({ plant, at, varied }: OneOpen, value: number): { plant: Plant; at: Record<string, number> } {
-  if (varied.kind === 'at') return { plant, at: { ...at, [varied.name]: value } };
+  if (varied.kind === 'at') return { plant, at: { ...at, ...saidBy(plant.system.meta, at, varied.name, value) } };
   const index = plant.system.meta.parameters.findIndex((p) => p.name === varied.name);
   if (index < 0) throw new ControlError(`there is no parameter "${varied.name}"`);
   const parameters = plant.parameters.slice();
   parameters[index] = value;
   return { plant: { ...plant, parameters }, at: { ...at } };
+}
+
+/** A state, or the velocities that a speed along the heading says. */
+function saidBy({ speed }: SystemMeta, at: OneOpen['at'], name: string, value: number): Record<string, number> {
+  if (name !== speed?.name) return { [name]: value };
+  const heading = at[speed.heading] ?? 0;
+  return { [speed.along[0]]: value * Math.cos(heading), [speed.along[1]]: value * Math.sin(heading) };
 }
 
 /**

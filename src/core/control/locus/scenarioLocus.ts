@@ -61,10 +61,7 @@ export function scenarioLocus(
   progress: (share: number) => void,
 ): ScenarioLocus {
   const { from, to, count, closed } = request;
-  if (!(Number.isFinite(from) && Number.isFinite(to) && from < to))
-    throw new ScenarioError('', 'the range must rise from a number to a larger one');
-  if (!(Number.isInteger(count) && count >= 2 && count <= MOST_VALUES))
-    throw new ScenarioError('', `between 2 and ${MOST_VALUES} values can be asked for`);
+  checkRange(request);
   const open = oneOpen(scenario, system, request);
   const inputs = closed ? linearizedInputs(scenario, system.meta) : [];
   const gain = closed ? lqrOf(scenario, system).gain : null;
@@ -95,8 +92,26 @@ export function scenarioLocus(
   return { ...locus, critical: together(locus.critical, TOGETHER * (to - from)), request, skipped };
 }
 
-/** Evenly spaced, without the dust of binary fractions: rest is rest, not 1e-17 m/s. */
-function spread(from: number, to: number, count: number): number[] {
+/**
+ * Refuses a range that is none.
+ *
+ * @throws ScenarioError
+ */
+export function checkRange({ from, to, count }: Pick<LocusRequest, 'from' | 'to' | 'count'>): void {
+  if (!(Number.isFinite(from) && Number.isFinite(to) && from < to))
+    throw new ScenarioError('', 'the range must rise from a number to a larger one');
+  if (!(Number.isInteger(count) && count >= 2 && count <= MOST_VALUES))
+    throw new ScenarioError('', `between 2 and ${MOST_VALUES} values can be asked for`);
+}
+
+/**
+ * Evenly spaced, without the dust of binary fractions: rest is rest, not 1e-17 m/s.
+ *
+ * @param from first value
+ * @param to last value
+ * @param count how many, both ends among them
+ */
+export function spread(from: number, to: number, count: number): number[] {
   const size = Math.max(Math.abs(from), Math.abs(to));
   return Array.from({ length: count }, (_, i) => {
     if (i === 0 || i === count - 1) return i === 0 ? from : to;
@@ -121,11 +136,25 @@ function together(critical: readonly CriticalValue[], width: number): CriticalPo
   return points.filter((point) => point.unstableBelow !== point.unstableAbove);
 }
 
-/** What of a scenario stays, and what is open. */
-function oneOpen(scenario: Scenario, system: System, { vary, name }: LocusRequest): OneOpen {
+/**
+ * What of a scenario stays, and what is open.
+ *
+ * @param scenario checked, SI
+ * @param system that the scenario names
+ * @throws ScenarioError where it has no such number
+ */
+export function oneOpen(
+  scenario: Scenario,
+  system: System,
+  { vary, name }: Pick<LocusRequest, 'vary' | 'name'>,
+): OneOpen {
   const { control } = scenario;
   const at = ((control?.type === 'lqr' ? control.at : undefined) ?? scenario.at) as Record<string, number>;
   if (vary === 'parameter' && !system.meta.parameters.some((p) => p.name === name))
     throw new ScenarioError('', `there is no parameter "${name}"`);
+  const { coordinates, speed } = system.meta;
+  const states = coordinates.flatMap((c) => [c.name, `${c.name}_dot`]);
+  if (vary === 'at' && name !== speed?.name && !states.includes(name))
+    throw new ScenarioError('', `"${name}" is neither a parameter nor a state, as ${states.slice(0, 3).join(', ')}`);
   return { plant: plantOf(scenario, system), at, varied: { kind: vary, name } };
 }

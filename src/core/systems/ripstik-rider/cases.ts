@@ -1,31 +1,85 @@
-import type { Case } from '../../cases/case.ts';
+import type { Case, CasePlot } from '../../cases/case.ts';
 
 /** Weights on what can be felt: roll of the plates on the rod, steer, lean, and their rates. */
 const felt = ['alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc', 'beta'];
+
+/** Feet that balance, the gain designed for a speed (m/s). */
+const byTheFeet = (speed: number, more: object = {}) => ({
+  type: 'lqr' as const,
+  inputs: ['tau_af', 'tau_ab'],
+  at: speed > 0 ? { X_dot: speed } : {},
+  Q: Object.fromEntries(felt.flatMap((name) => [name, `${name}_dot`].map((state) => [state, 1]))),
+  ...more,
+});
+
+const leans: CasePlot = {
+  title: 'Lean of the rider, roll of the plates',
+  x: 't',
+  y: ['beta', 'alpha_fp', 'alpha_bp'],
+  unit: 'deg',
+};
+const torques: CasePlot = { title: 'Ankle torques', x: 't', y: ['tau_af', 'tau_ab'], unit: 'N·m' };
+const path: CasePlot = { title: 'Path', x: 'X', y: ['Y'], unit: 'm', equal: true };
 
 export const ripstikRiderCases: readonly Case[] = [
   {
     id: 'rider-balanced',
     title: 'Rider, balanced by the feet',
     source: '',
-    look: 'Three degrees of lean at 1 m/s. The rider’s ankles turn the plates, the casters follow, and the board is steered back under the body.',
+    look: 'Three degrees of lean at 1 m/s. The rider’s ankles turn the plates, the casters follow, and the board is steered back under the body. The largest gain is 1,684 N·m per radian: the ankles give 88.2 N·m at most. Analysis, Curves over speed, shows the gain at other speeds.',
     picture: { time: 0.3 },
     scenario: {
       version: 1,
       system: 'ripstik-rider',
       initial: { X_dot: 1, beta: '3 deg' },
-      control: {
-        type: 'lqr',
-        inputs: ['tau_af', 'tau_ab'],
-        at: { X_dot: 1 },
-        Q: Object.fromEntries(felt.flatMap((name) => [name, `${name}_dot`].map((state) => [state, 1]))),
-      },
+      control: byTheFeet(1),
       duration: 10,
     },
-    plots: [
-      { title: 'Lean of the rider, roll of the plates', x: 't', y: ['beta', 'alpha_fp', 'alpha_bp'], unit: 'deg' },
-      { title: 'Ankle torques', x: 't', y: ['tau_af', 'tau_ab'], unit: 'N·m' },
-      { title: 'Path', x: 'X', y: ['Y'], unit: 'm', equal: true },
-    ],
+    plots: [leans, torques, path],
+  },
+  {
+    id: 'rider-fast',
+    title: 'Rider at 5 m/s: a twelfth of the effort',
+    source: '',
+    look: 'The same three degrees at 5 m/s. A little steer moves the board far, so the largest gain is 144 in place of 1,684, and the ankles give 7.5 N·m in place of 88.',
+    picture: { time: 0.6 },
+    scenario: {
+      version: 1,
+      system: 'ripstik-rider',
+      initial: { X_dot: 5, beta: '3 deg' },
+      control: byTheFeet(5),
+      duration: 10,
+    },
+    plots: [leans, torques, path],
+  },
+  {
+    id: 'rider-standing',
+    title: 'Rider who tries to stand still',
+    source: '',
+    look: 'At rest casters do not steer: all that a turned plate does is to shift the wheels a little under the body. The regulator exists, with a gain of 58,226 N·m per radian: a fiftieth of a degree of lean takes 20 N·m, and from a tenth of a degree the rider falls. Balancing by the feet is a matter of speed.',
+    picture: { time: 0.4 },
+    scenario: {
+      version: 1,
+      system: 'ripstik-rider',
+      initial: { beta: '0.02 deg' },
+      control: byTheFeet(0),
+      duration: 10,
+    },
+    plots: [leans, torques],
+  },
+  {
+    id: 'rider-late',
+    title: 'Rider whose feet answer late',
+    source: '',
+    look: 'Half a degree at 1 m/s, held for 2 ms and 0.19 s late, which is how long a person takes to react. The delay margin is 0.2087 s: it swings and comes to rest only just. At 0.22 s the swing grows.',
+    picture: { time: 0.8 },
+    scenario: {
+      version: 1,
+      system: 'ripstik-rider',
+      initial: { X_dot: 1, beta: '0.5 deg' },
+      control: byTheFeet(1, { sample: 0.002, delay: 0.19 }),
+      duration: 5,
+    },
+    plots: [leans, torques, path],
   },
 ];

@@ -130,7 +130,7 @@ async function load(scenario: ScenarioInput): Promise<{ checked: Scenario; syste
 }
 
 async function feedbackFor(scenario: Scenario, system: System): Promise<ReadonlyMap<string, Feedback> | null> {
-  if (scenario.control?.type !== 'lqr') return null;
+  if (scenario.control?.type !== 'lqr' && scenario.control?.type !== 'ride') return null;
   const { feedbackOf } = await import('../core/control/design/feedback.ts');
   return feedbackOf(scenario, system);
 }

@@ -23,12 +23,15 @@ export async function systemOf(
  */
 export function partsOf({ method, control }: Scenario, pushed: boolean, soonest: boolean): SystemParts {
   const implicit = methods.some(({ id, implicit }) => id === method.name && implicit);
-  return { jacobians: implicit || pushed || control?.type === 'lqr', tape: !soonest && method.engine !== 'typescript' };
+  return {
+    jacobians: implicit || pushed || control?.type === 'lqr' || control?.type === 'ride',
+    tape: !soonest && method.engine !== 'typescript',
+  };
 }
 
 /** The state feedback that a scenario asks for; what designs it is loaded only where there is one. */
 export async function feedbackFor(scenario: Scenario, system: System): Promise<ReadonlyMap<string, Feedback> | null> {
-  if (scenario.control?.type !== 'lqr') return null;
+  if (scenario.control?.type !== 'lqr' && scenario.control?.type !== 'ride') return null;
   const { feedbackOf } = await import('../../core/control/design/feedback.ts');
   return feedbackOf(scenario, system);
 }

@@ -21,6 +21,8 @@ export interface Feedback {
   readonly acting?: Float64Array;
   /** What the state is estimated by, one for all inputs of a controller; without it the state itself is known. */
   readonly estimator?: Estimator | null;
+  /** What asks all inputs of a controller at once, where it has a memory of its own: then `asked` is not. */
+  readonly program?: Program;
   /** Adds the derivatives of what is asked by q and by v, times `weight`, onto a row (n entries from `row` on) of each. */
   addSlopes(
     t: number,
@@ -31,6 +33,12 @@ export interface Feedback {
     forceQ: Float64Array,
     forceV: Float64Array,
   ): void;
+}
+
+/** A controller with a memory, one for all its inputs. */
+export interface Program {
+  /** As a run goes on: what is asked of each input, in the controller's order, into `out`. */
+  begin(): (t: number, q: Float64Array, v: Float64Array, out: Float64Array) => void;
 }
 
 /** Estimates the state from what sensors read at each sample. */

@@ -14,6 +14,7 @@ import {
   MOST_ROWS,
   MOST_SCHEDULED,
 } from './defaults.ts';
+import { checkRide } from './ride.ts';
 import { jsonFault, placeIn } from './json.ts';
 import { descriptionIn, isOwn, ownId } from './own.ts';
 import {
@@ -299,19 +300,22 @@ interface Names {
   inputs: readonly string[];
 }
 
+const CONTROL_KEYS: Readonly<Record<string, readonly string[]>> = {
+  lqr: ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule', 'path', ...COMPUTER_KEYS],
+  track: ['type', 'reference', 'kp', 'kd', 'limits', ...COMPUTER_KEYS.filter((key) => key !== 'design')],
+  ride: ['type', 'commands', 'help', 'speed', 'limits', 'sample', 'delay', 'actuators'],
+};
+
 function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names): Scenario['control'] {
   if (raw === undefined || raw === null) return null;
   const all = new Map(c.entries('control', raw));
   if (c.errors.has('control')) return null;
-  const type = c.oneOf('control.type', all.get('type'), ['lqr', 'track']);
+  const type = c.oneOf('control.type', all.get('type'), ['lqr', 'track', 'ride']);
   if (type === undefined) return null;
-  const keys =
-    type === 'lqr'
-      ? ['type', 'inputs', 'at', 'Q', 'R', 'limits', 'schedule', 'path', ...COMPUTER_KEYS]
-      : ['type', 'reference', 'kp', 'kd', 'limits', ...COMPUTER_KEYS.filter((key) => key !== 'design')];
-  const control = new Map(c.entries('control', raw, keys));
+  const control = new Map(c.entries('control', raw, CONTROL_KEYS[type]));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
+  if (type === 'ride') return checkRide(c, control, meta, names.inputs, limits);
   return type === 'lqr' ? checkLqr(c, control, meta, names, limits) : checkTrack(c, control, meta, limits);
 }
 

@@ -175,11 +175,19 @@ function controlPaths(meta: SystemMeta, file: ScenarioFile, { control }: Scenari
     ? [
         path('sample', 'sample time of the computer', control.sample, 's'),
         path('delay', 'delay of the computer', control.delay ?? 0, 's'),
-        ...(control.sensors ? [path('seed', 'seed of the sensors’ noise', control.seed ?? 0)] : []),
+        ...(control.type !== 'ride' && control.sensors
+          ? [path('seed', 'seed of the sensors’ noise', control.seed ?? 0)]
+          : []),
       ]
     : [];
   if (control.type === 'track')
     return [path('kp', 'proportional gain', control.kp), path('kd', 'derivative gain', control.kd), ...computer];
+  if (control.type === 'ride')
+    return [
+      path('help', 'help of the stabilizing layer', control.help ?? 1),
+      path('speed', 'speed that a start pushes up to', control.speed ?? 0, 'm/s'),
+      ...computer,
+    ];
   const states = statesOf(meta);
   const written = file.control?.type === 'lqr' ? file.control : undefined;
   const named = states.filter(({ name }) => written?.at?.[name] !== undefined);

@@ -75,6 +75,21 @@ export interface TrackControl extends Omit<Computer, 'design'> {
   limits?: Record<string, NumberOrExpression>;
 }
 
+/** At a time (s), what the rider is told, and how much of it. */
+export type RideCommand = readonly [time: number, command: string, value: number];
+
+/** A rider who is told where to go: commands as data, and a layer beneath that balances. */
+export interface RideControl extends Pick<Computer, 'sample' | 'delay' | 'actuators'> {
+  type: 'ride';
+  /** In the order of their times; each acts from the first sample at or after its time. */
+  commands: readonly RideCommand[];
+  /** How much the stabilizing layer does of what it would, 0 (the commands are the torques) to 1. */
+  help?: number | undefined;
+  /** That a start pushes up to, m/s. */
+  speed?: number | undefined;
+  limits?: Record<string, NumberOrExpression>;
+}
+
 export interface MethodOptions {
   name: string;
   /** Every method has one but `ida`, which takes the residual as it is. */
@@ -103,7 +118,7 @@ export interface ScenarioFile {
   hold?: string[];
   initial?: Record<string, NumberOrExpression>;
   inputs?: Record<string, NumberOrExpression>;
-  control?: LqrControl | TrackControl;
+  control?: LqrControl | TrackControl | RideControl;
   at?: Record<string, NumberOrExpression>;
   method?: Partial<MethodOptions>;
   duration?: number;
@@ -126,7 +141,7 @@ export interface Scenario {
   /** Only what was named. */
   initial: Record<string, number>;
   inputs: Record<string, NumberOrExpression>;
-  control: LqrControl | TrackControl | null;
+  control: LqrControl | TrackControl | RideControl | null;
   at: Record<string, number>;
   method: MethodOptions;
   duration: number;

@@ -43,8 +43,8 @@ export function actuationOf(
   computer: HeldControl | null = null,
 ): Actuation {
   const { control } = scenario;
-  if (control?.type === 'lqr' && !feedback)
-    throw new Error('a scenario with an lqr needs its feedback: feedbackOf(scenario, system)');
+  if ((control?.type === 'lqr' || control?.type === 'ride') && !feedback)
+    throw new Error('a scenario with an lqr or a ride needs its feedback: feedbackOf(scenario, system)');
   const plan = planned && new InputPlan(planned);
   const loops = control?.type === 'track' ? trackers(control, meta, plan) : (feedback ?? new Map<string, Feedback>());
   const held = computer ?? HeldControl.of(control, loops);

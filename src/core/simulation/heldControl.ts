@@ -1,4 +1,4 @@
-import type { Estimate, Feedback } from '../mechanics/forcing.ts';
+import type { Estimate, Feedback, Program } from '../mechanics/forcing.ts';
 import type { Actuator, Scenario } from '../scenario/types.ts';
 
 /**
@@ -39,6 +39,8 @@ export class HeldControl {
   private readonly past: Float64Array;
   /** What is known of the state, where it is estimated. */
   private readonly estimate: Estimate | null;
+  /** What asks all channels at once, where they have a program. */
+  private readonly program: ReturnType<Program['begin']> | null;
   /** Inputs on their way to the actuators, the next first. */
   private readonly coming: { time: number; values: Float64Array }[] = [];
   /** Number of the next sample. */
@@ -68,6 +70,7 @@ export class HeldControl {
     });
     this.past = new Float64Array(Math.max(0, ...this.channels.map(({ feedback }) => feedback.past?.length ?? 0)));
     this.estimate = this.channels[0]?.feedback.estimator?.begin() ?? null;
+    this.program = this.channels[0]?.feedback.program?.begin() ?? null;
   }
 
   /** Null for a controller that acts continuously. */
@@ -139,9 +142,10 @@ export class HeldControl {
   private ask(t: number, q: Float64Array, v: Float64Array, since: number): Float64Array {
     const { channels, past } = this;
     const values = new Float64Array(channels.length);
+    this.program?.(t, q, v, values);
     channels.forEach((channel, i) => {
       const { feedback, actuator, limit, command } = channel;
-      let asked = feedback.asked(t, q, v);
+      let asked = this.program ? values[i]! : feedback.asked(t, q, v);
       const memory = feedback.past;
       for (let k = 0; memory && k < memory.length; k++) asked -= memory[k]! * past[k]!;
       const { acting } = feedback;

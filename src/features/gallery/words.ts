@@ -9,6 +9,7 @@ export const text = {
   now: 'in the panel',
   lqr: 'LQR',
   track: 'tracked',
+  ride: 'ridden by commands',
   section: (chapter: string) => `section ${chapter}`,
   /** Where the report is named first. */
   report:

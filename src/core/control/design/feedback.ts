@@ -2,6 +2,7 @@ import { Sensors } from '../sampled/sensors.ts';
 import { SampledEstimator } from '../sampled/estimator.ts';
 import type { LqrDesign } from './lqr.ts';
 import { filterOf, lqrOf, sampledDesignOf, timingOf } from './scenarioControl.ts';
+import { rideFeedbackOf } from '../ride/rideFeedback.ts';
 import { pathFeedbackOf } from '../path/pathFeedback.ts';
 import { scheduledFeedbackOf } from './scheduledFeedback.ts';
 import type { Estimator, Feedback } from '../../mechanics/forcing.ts';
@@ -70,13 +71,14 @@ export class StateFeedback implements Feedback {
 }
 
 /**
- * The scenario's lqr, by input; null where it has none.
+ * The scenario's lqr or ride, by input; null where it has neither.
  *
  * @param scenario checked, SI
  * @param system that the scenario names
  * @throws ScenarioError where there is no such design
  */
 export function feedbackOf(scenario: Scenario, system: System): Map<string, Feedback> | null {
+  if (scenario.control?.type === 'ride') return rideFeedbackOf(scenario, system, scenario.control);
   if (scenario.control?.type !== 'lqr') return null;
   if (scenario.control.schedule) return scheduledFeedbackOf(scenario, system, scenario.control);
   if (scenario.control.path) return pathFeedbackOf(scenario, system, scenario.control);

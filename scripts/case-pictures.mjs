@@ -1,6 +1,7 @@
 // npm run pictures -- cases [id …]: the scene of every case at a telling moment, as docs/cases/<id>.webp and, small, in
-// both themes, as public/cases/<id>-<theme>.webp for the gallery.
-/* global window, document, setTimeout, Image, WheelEvent -- functions given to the page run there */
+// both themes, as public/cases/<id>-<theme>.webp for the gallery; beside it <id>-<theme>-loop.webp, what happens about that
+// moment as a strip of frames, which the gallery plays.
+/* global window, document, setTimeout, requestAnimationFrame, Image, WheelEvent -- functions given to the page run there */
 import { Buffer } from 'node:buffer';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +9,9 @@ import { root } from './setup.mjs';
 
 const SIZE = { width: 640, height: 400 };
 const CARD = { width: 360, height: 225 };
-const QUALITY = { full: 0.8, card: 0.66 };
+/** One below the other: the gallery's style sheet names their number too. */
+const LOOP = { width: 240, height: 150, frames: 16, seconds: 2.4 };
+const QUALITY = { full: 0.8, card: 0.66, loop: 0.5 };
 /** What the orbit controls make of a wheel's 100 pixels. */
 const ZOOM_STEP = 0.95;
 const QUIET_MS = 300;
@@ -43,6 +46,7 @@ export async function casePictures(browser, address, wanted) {
       const png = await shoot(page, picture);
       if (theme === 'light') save('docs/cases', id, await webp(page, png, SIZE, QUALITY.full));
       save('public/cases', `${id}-${theme}`, await webp(page, png, CARD, QUALITY.card));
+      save('public/cases', `${id}-${theme}-loop`, await loop(page, picture));
       if (theme === 'light') {
         for (const [i, figure] of figures.entries())
           save('docs/cases', `${id}-${i + 1}`, await webp(page, await shoot(page, figure), SIZE, QUALITY.full));
@@ -92,6 +96,32 @@ async function shoot(page, { time, view = 'orbit', distance = 1 }) {
     );
   await quiet(page);
   return page.screenshot({ animations: 'disabled' });
+}
+
+/** What happens about a picture's moment, seen as it was: frames one below the other, as WebP. */
+async function loop(page, { time }) {
+  const url = await page.evaluate(
+    async ([at, { width, height, frames, seconds }, quality]) => {
+      const { state, actions } = window.ripstikApp;
+      const { start, end } = state.motion.value.trajectory;
+      const long = Math.min(seconds, end - start);
+      const from = Math.min(Math.max((at ?? 0.4 * end) - long / 2, start), end - long);
+      const strip = Object.assign(document.createElement('canvas'), { width, height: height * frames });
+      const context = strip.getContext('2d');
+      context.imageSmoothingQuality = 'high';
+      const canvas = document.querySelector('[data-testid="scene"]');
+      for (let k = 0; k < frames; k++) {
+        actions.seek(from + (long * k) / (frames - 1));
+        // A path that is drawn for the first time is followed over some frames.
+        for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+        window.ripstikScene.draw();
+        context.drawImage(canvas, 0, k * height, width, height);
+      }
+      return strip.toDataURL('image/webp', quality);
+    },
+    [time, LOOP, QUALITY.loop],
+  );
+  return Buffer.from(url.split(',')[1], 'base64');
 }
 
 /** Until no frame has been drawn for a while, and the meshes are those of the case. */

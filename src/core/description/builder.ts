@@ -1,4 +1,4 @@
-import type { InputMeta, ParameterMeta } from '../model/system.ts';
+import type { CoordinateMeta, InputMeta, ParameterMeta } from '../model/system.ts';
 import { RateError, type Frame, type Reader, type Scope, type Value, type Vector } from './expression.ts';
 import { Graph, MOST_READ, type Id } from './graph.ts';
 import type { BodyModel, Model, Row, SetModel, ShapeModel } from './model.ts';
@@ -25,6 +25,8 @@ export class Builder implements Scope {
   readonly model: Model;
   private readonly values = new Map<string, Value>();
   private readonly vIds = new Set<Id>();
+  /** Coordinates whose unit was not written. */
+  private readonly unitless: CoordinateMeta[] = [];
   /** Rates of coordinates, and of all that was asked for so far. */
   private readonly rateOf = new Map<Id, Id>();
   /** What has no rates in it, as far as it was asked for. */
@@ -153,8 +155,14 @@ export class Builder implements Scope {
   addCoordinate(
     token: LineToken,
     line: number,
-    { unit, rest, label, role }: { unit: string; rest: number; label: string | undefined; role: Role },
+    {
+      unit: written,
+      rest,
+      label,
+      role,
+    }: { unit: string | undefined; rest: number; label: string | undefined; role: Role },
   ): void {
+    const unit = written ?? 'm';
     const { model, graph } = this;
     if (model.coordinates.length >= MOST_COORDINATES)
       throw new DescriptionError(`there may be ${MOST_COORDINATES} coordinates`, line, token.at + 1, token.text.length);
@@ -172,9 +180,11 @@ export class Builder implements Scope {
       symbol: symbolOf(token.text),
       label: label ?? token.text,
       kind: angle ? 'angle' : 'length',
+      ...(unit === '1' || unit === '' ? { pure: true as const } : {}),
       role,
       ...(rest === 0 ? {} : { rest }),
     });
+    if (written === undefined) this.unitless.push(model.coordinates.at(-1)!);
     model.lines.push(line);
     model.q.push(q);
     model.v.push(v);
@@ -388,6 +398,8 @@ export class Builder implements Scope {
             model.lines[i]!,
           );
       });
+      // Of a plain equation nothing says that it is about lengths.
+      for (const coordinate of this.unitless) coordinate.pure = true;
     }
     this.fillSets();
     this.addClock();
@@ -453,6 +465,7 @@ export class Builder implements Scope {
       symbol: 't',
       label: 'clock, by which what is driven goes (s)',
       kind: 'length',
+      pure: true,
       role: 'neutral',
     });
     model.lines.push(0);

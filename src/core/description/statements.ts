@@ -86,7 +86,7 @@ export const statements: Readonly<Record<string, Statement>> = {
       let text = label(r);
       words(r, ['first', 'second'], (word) => (role = word as 'first'));
       text ??= label(r);
-      for (const name of names) b.addCoordinate(name, r.line, { unit: unit?.text ?? 'm', rest, label: text, role });
+      for (const name of names) b.addCoordinate(name, r.line, { unit: unit?.text, rest, label: text, role });
     },
   },
   parameter: {

@@ -17,6 +17,8 @@ export interface CoordinateMeta {
   /** Plain words, e.g. "front plate roll, relative to the rod". */
   label: string;
   kind: 'length' | 'angle';
+  /** No length but a pure number: it has no unit. */
+  pure?: true;
   /** Its colour everywhere. */
   role: ColourRole;
   /** Value at rest when `initial` does not name it (default 0). */
@@ -281,6 +283,8 @@ export interface SystemView {
   contacts: readonly TrackedContact[];
   /** Points whose paths are drawn; the contacts' where it is absent. */
   tracks?: readonly TrackedPoint[];
+  /** How far along x all bodies go in a second (m/s) beside their poses: a scalar equation is shown as its curve being drawn. */
+  drawnAlong?: number;
 }
 
 export interface TrackedPoint {

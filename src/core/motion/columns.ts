@@ -1,5 +1,6 @@
 /** The catalogue: what every column of a motion is called and measured in, recorded or computed, the same everywhere. */
 import { inputsOf } from '../model/inputs.ts';
+import { perSecond } from '../model/units.ts';
 import type { ColourRole, DataColumn, SystemMeta, SystemView } from '../model/system.ts';
 import { joined, symbolText, words, type Text } from './symbols.ts';
 
@@ -44,9 +45,9 @@ function pair(
   label: string,
   angle: boolean,
   role: ColourRole,
-  group?: ColumnGroup,
+  { group, pure = false }: { group?: ColumnGroup; pure?: boolean | undefined } = {},
 ): Column[] {
-  const unit = angle ? 'rad' : 'm';
+  const unit = angle ? 'rad' : pure ? '' : 'm';
   const common = { symbol, degrees: angle, role };
   return [
     column({
@@ -54,7 +55,7 @@ function pair(
       name,
       label,
       unit,
-      kind: angle ? 'angle' : 'length',
+      kind: angle ? 'angle' : pure ? 'ratio' : 'length',
       turns: angle,
       group: group ?? 'coordinates',
     }),
@@ -62,7 +63,7 @@ function pair(
       ...common,
       name: `${name}_dot`,
       label: `rate of ${label}`,
-      unit: `${unit}/s`,
+      unit: perSecond(unit),
       kind: 'rate',
       rate: true,
       group: group ?? 'rates',
@@ -81,8 +82,8 @@ function catalogueOf(meta: SystemMeta, contacts: SystemView['contacts']): Map<st
     column({ name, symbol, label, unit: 'J', kind: 'energy', group: 'energy' });
   const all = [
     column({ name: 't', symbol: 't', label: 'time', unit: 's', kind: 'time', group: 'other' }),
-    ...meta.coordinates.flatMap((c) => pair(c.name, c.symbol, c.label, c.kind === 'angle', c.role)),
-    ...(meta.sums ?? []).flatMap((s) => pair(s.name, s.symbol, s.label, true, s.role, 'computed')),
+    ...meta.coordinates.flatMap((c) => pair(c.name, c.symbol, c.label, c.kind === 'angle', c.role, { pure: c.pure })),
+    ...(meta.sums ?? []).flatMap((s) => pair(s.name, s.symbol, s.label, true, s.role, { group: 'computed' })),
     ...inputsOf(meta).map((i) => column({ ...i, kind: 'force', role: roleOfInput(meta, i.column), group: 'inputs' })),
     ...(meta.columns ?? []).map(dataColumn),
     ...contacts.flatMap((c) => [

@@ -58,6 +58,7 @@ export class MotionSampler {
   /** Rows have been followed since the tracks were asked for last. */
   private fresh = false;
   private readonly followed: boolean;
+  private readonly along: number;
 
   constructor(
     view: SystemView,
@@ -76,6 +77,7 @@ export class MotionSampler {
     this.after = new Float64Array(size);
     this.wheelAngles = new Float64Array(view.contacts.length);
     this.radii = Float64Array.from(view.contacts, (c) => parameters[c.radius] ?? 0);
+    this.along = view.drawnAlong ?? 0;
     this.followed = (view.tracks ?? view.contacts).length + view.contacts.length > 0;
     this.last = new Float64Array(2 * view.contacts.length);
     this.points = view.tracks ?? view.contacts;
@@ -101,7 +103,8 @@ export class MotionSampler {
     const next = Math.min(row + 1, trajectory.length - 1);
     const span = t[next]! - t[row]!;
     const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
-    if (trajectory.recorded) {
+    // What is drawn over time goes straight from row to row, as its path does.
+    if (trajectory.recorded || this.along) {
       this.posesAt(row, this.before);
       this.posesAt(next, this.after);
       this.blend(share);
@@ -178,6 +181,9 @@ export class MotionSampler {
     const { q, coordinates } = this;
     for (let i = 0; i < q.length; i++) q[i] = coordinates[i]![row]!;
     this.view.poses(q, this.parameters, out);
+    if (!this.along) return;
+    const way = this.along * this.trajectory.column('t')![row]!;
+    for (let o = 0; o < out.length; o += 12) out[o]! += way;
   }
 
   private blend(share: number): void {

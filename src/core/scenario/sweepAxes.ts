@@ -1,3 +1,4 @@
+import { coordinateUnit, perSecond } from '../model/units.ts';
 import { inputsOf } from '../model/inputs.ts';
 import type { MethodOptions, Scenario, ScenarioFile } from './types.ts';
 import type { SystemMeta } from '../model/system.ts';
@@ -117,12 +118,12 @@ interface State {
 
 /** States by name; of first order the rates follow from them. */
 function statesOf({ coordinates, order, speed }: SystemMeta): State[] {
-  const positions = coordinates.map(({ name, label, kind, rest = 0 }) => ({
-    name,
-    label,
-    unit: kind === 'angle' ? '°' : 'm',
-    angle: kind === 'angle',
-    rest,
+  const positions = coordinates.map((c) => ({
+    name: c.name,
+    label: c.label,
+    unit: coordinateUnit(c),
+    angle: c.kind === 'angle',
+    rest: c.rest ?? 0,
   }));
   const rates =
     order === 1
@@ -130,7 +131,7 @@ function statesOf({ coordinates, order, speed }: SystemMeta): State[] {
       : positions.map(({ name, label, unit, angle }) => ({
           name: `${name}_dot`,
           label: `rate of ${label}`,
-          unit: `${unit}/s`,
+          unit: perSecond(unit),
           angle,
           rest: 0,
         }));

@@ -1,3 +1,4 @@
+import { coordinateUnit } from '../../core/model/units.ts';
 import { TableScroll } from '../../ui/kit/tableScroll.tsx';
 import type { CoordinateMeta } from '../../core/model/system.ts';
 import { equations } from './words.ts';
@@ -47,16 +48,9 @@ export function CoordinatesSection() {
   );
 }
 
-function Row({
-  coordinate: { name, label, kind, role },
-  value,
-  rate,
-}: {
-  coordinate: CoordinateMeta;
-  value: number | null;
-  rate: number | null;
-}) {
-  const unit = kind === 'angle' ? '°' : 'm';
+function Row({ coordinate, value, rate }: { coordinate: CoordinateMeta; value: number | null; rate: number | null }) {
+  const { name, label, kind, role } = coordinate;
+  const unit = coordinateUnit(coordinate);
   const shown = (x: number | null) => (x === null ? '–' : formatValue(x, kind));
   return (
     <tr>

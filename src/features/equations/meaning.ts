@@ -1,4 +1,5 @@
 /** What a symbol of the equations means, in words and with its present value. */
+import { coordinateUnit } from '../../core/model/units.ts';
 import type { Motion } from '../../app/runs/motion.ts';
 import type { SystemView } from '../../core/model/system.ts';
 import type { Typeset } from '../../core/model/typeset.ts';
@@ -50,7 +51,7 @@ export function meaningOf(
   const name = derivative?.[1] ?? mark;
   const coordinate = meta.coordinates.find((c) => c.name === name);
   if (coordinate) {
-    const unit = coordinate.kind === 'angle' ? '°' : 'm';
+    const unit = coordinateUnit(coordinate);
     const value = motion && derivative?.[2] !== 'ddot' ? sample(motion.trajectory, mark, time) : null;
     const what =
       derivative === null

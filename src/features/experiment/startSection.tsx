@@ -3,6 +3,7 @@ import { useId, useState } from 'preact/hooks';
 import type { Adjustment } from '../../app/runs/motion.ts';
 import type { CoordinateMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
+import { coordinateUnit, rateUnit } from '../../core/model/units.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { withEntry } from '../../app/state/draft.ts';
 import { formatQuantity } from '../../ui/kit/format.ts';
@@ -13,7 +14,8 @@ import { words } from './words.ts';
 import { useNumberField } from '../../ui/kit/useNumberField.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
-const units = { length: ['m', 'm/s'], angle: ['°', '°/s'] } as const;
+/** Signs that the boxes have room for. */
+const [MOST_VALUE, MOST_RATE] = [6, 5];
 
 export function StartSection() {
   const ui = useUi();
@@ -28,7 +30,7 @@ export function StartSection() {
       {system.meta.speed && <SpeedField key={system.meta.id} speed={system.meta.speed} />}
       <div class="start-head" aria-hidden="true">
         <span>{words.value}</span>
-        <span>{words.rate}</span>
+        {system.meta.order !== 1 && <span>{words.rate}</span>}
       </div>
       {system.meta.coordinates.map((c) => (
         <StartRow
@@ -85,8 +87,10 @@ function StartRow({
   const valueField = useNumberField(valueSpec);
   const rateField = useNumberField(rateSpec);
   const [open, setOpen] = useState(false);
+  // What is too long for a narrow box gets a line of its own: nothing is cut off.
+  const long = valueField.text.length > MOST_VALUE || rateField.text.length > MOST_RATE;
   return (
-    <div class="start-row">
+    <div class={`start-row${long ? ' long' : ''}`}>
       <Handle label={coordinate.label} field={valueField} open={open} onPress={() => setOpen(!open)}>
         <Chip role={coordinate.role} />
         <span class="name">
@@ -113,7 +117,7 @@ function useStartSpec(coordinate: CoordinateMeta, order: 0 | 1): NumberSpec {
   return {
     path: `initial.${name}`,
     label: order === 0 ? coordinate.label : `${coordinate.label}, ${words.rate}`,
-    unit: units[coordinate.kind][order],
+    unit: order === 0 ? coordinateUnit(coordinate) : rateUnit(coordinate),
     angle: coordinate.kind === 'angle',
     optional: true,
     value: ui.app.state.draft.value.initial?.[name],

@@ -7,6 +7,8 @@ import { useUi } from '../../ui/context.ts';
 import { matches, sectionsOf, type Family } from './gallerySections.ts';
 import './gallery.css';
 
+const STILL = '(prefers-reduced-motion: reduce)';
+
 export function Gallery({ onClose }: { onClose(): void }) {
   const ui = useUi();
   const { app } = ui;
@@ -101,6 +103,21 @@ function nextCard(cards: readonly HTMLButtonElement[], at: number, key: string):
   );
 }
 
+/** What happens in a case, over its picture as soon as it is there: a strip of frames (`npm run pictures -- cases`). */
+function Loop({ name }: { name: string }) {
+  const here = useSignal(false);
+  return (
+    <img
+      class="card-loop"
+      hidden={!here.value}
+      src={`cases/${name}-loop.webp`}
+      alt=""
+      data-testid="card-loop"
+      onLoad={() => (here.value = true)}
+    />
+  );
+}
+
 /** A case; of several that differ in one thing the first, or what a choice under it is pointed at. */
 function Card({
   family,
@@ -116,6 +133,8 @@ function Card({
   onChoose(id: string): void;
 }) {
   const pointed = useSignal<CaseInfo | null>(null);
+  const lively = useSignal(false);
+  const enliven = (now: boolean) => () => void (lively.value = now && !matchMedia(STILL).matches);
   const first = family[0];
   const c = pointed.value ?? first;
   const from = [c.figure, c.chapter && text.section(c.chapter)].filter(Boolean).join(', ') || c.source;
@@ -123,7 +142,13 @@ function Card({
   const here = family.some(({ id }) => id === current);
   const point = (one: CaseInfo | null) => () => void (pointed.value = one);
   return (
-    <div class="card-frame">
+    <div
+      class="card-frame"
+      onMouseEnter={enliven(true)}
+      onMouseLeave={enliven(false)}
+      onFocusIn={enliven(true)}
+      onFocusOut={enliven(false)}
+    >
       <button
         type="button"
         class="card"
@@ -131,7 +156,10 @@ function Card({
         data-testid={`case-${first.id}`}
         onClick={() => onChoose(first.id)}
       >
-        <img src={`cases/${c.id}-${theme}.webp`} width="360" height="225" alt="" loading="lazy" decoding="async" />
+        <span class="card-picture">
+          <img src={`cases/${c.id}-${theme}.webp`} width="360" height="225" alt="" loading="lazy" decoding="async" />
+          {lively.value && <Loop key={c.id} name={`${c.id}-${theme}`} />}
+        </span>
         <span class="card-title">{c.title}</span>
         <span class="badges">
           <span class="badge">{system}</span>

@@ -1,4 +1,5 @@
 /** The state at the playback time, in numbers. Follows at most 15 times a second. */
+import { perSecond } from '../../core/model/units.ts';
 import type { Motion } from '../../app/runs/motion.ts';
 import type { ColourRole } from '../../core/model/system.ts';
 import { columnOf, columnsOf, shownFactor, shownUnit, sumsOf, type Column } from '../../core/motion/columns.ts';
@@ -124,7 +125,7 @@ function Row({ column: c, value, rate }: { column: Column; value: number | null;
       </td>
       <td class="unit">{shownUnit(c, true)}</td>
       <td class="number">{rate === null ? '–' : formatValue(rate, kind)}</td>
-      <td class="unit">{rate === null ? '' : `${shownUnit(c, true)}/s`}</td>
+      <td class="unit">{rate === null ? '' : perSecond(shownUnit(c, true))}</td>
     </tr>
   );
 }

@@ -4,8 +4,8 @@ import type { Triple } from '../camera/views.ts';
 /** Vertical field of view (rad): wide, as from aboard. */
 export const RIDER_FIELD = (58 * Math.PI) / 180;
 /** Eye and what it looks at, ahead and above, per metre of the subject's largest extent: far enough back that the tail stands above the buttons at the picture's foot. */
-const EYE = [-1.15, 0.85] as const;
-const LOOK = [1.4, -0.45] as const;
+const EYE = [-1.35, 0.8] as const;
+const LOOK = [1.4, -0.6] as const;
 
 export interface RiderPlace {
   eye: Triple;

@@ -14,6 +14,8 @@ const UNIT_PER_SIZE = 0.7;
 /** How briskly the camera follows what it looks at, and a rider's eye the heading, place and lean (1/s). */
 const BRISK = 8;
 const EASY = 6;
+/** So far a body leans over before the close-up's camera changes sides: a sine. */
+const SIDE = 0.2;
 
 export class Focus {
   /** Of the subject (m), or the world's origin where the camera stays with the world. */
@@ -32,6 +34,7 @@ export class Focus {
   /** Place, heading without its full turns, and the subject's upward axis. */
   private readonly rider = new Follower(7, EASY);
   private turned = 0;
+  private mirrored = false;
 
   get unit(): number {
     return UNITS.find((unit) => unit >= UNIT_PER_SIZE * this.size) ?? 10;
@@ -61,7 +64,7 @@ export class Focus {
       this.position.set(0, 0, 0);
       this.heading = 0;
     }
-    const next = plan.still ? this.position.toArray() : at(follows);
+    const next = this.followed(at(plan.still ? plan.subject : follows), view);
     const moved = new Vector3();
     if (next.every(Number.isFinite)) {
       moved.set(...(this.follower.at as unknown as Triple)).negate();
@@ -70,7 +73,9 @@ export class Focus {
       this.subject.set(...next);
     }
     this.seat(poses, time);
-    return { moved, ...this.measure(bodies) };
+    const { stage, camera } = this.measure(bodies);
+    const turnsOver = this.lean(poses) && view === 'caster' && !stage;
+    return { moved, stage, camera: camera || turnsOver };
   }
 
   /** The rider's eye, where it looks, and which way is up. @param level keeps the horizon */
@@ -94,6 +99,26 @@ export class Focus {
     return far(after) / far(before);
   }
 
+  /** The place that the camera goes along with, of a body at a place: the middle of the cast, so that it stays in the picture when it turns. */
+  private followed(at: Triple, view: ViewName): Triple {
+    const { plan, block, heading } = this;
+    if (plan.still) return beyond(at, block);
+    if (view === 'caster' && plan.closeUp !== null) return at;
+    const [x, y] = [0, 1].map((i) => (block.low[i]! + block.high[i]!) / 2) as [number, number];
+    const [c, s] = [Math.cos(heading), Math.sin(heading)];
+    return [at[0] + c * x - s * y, at[1] + s * x + c * y, at[2]];
+  }
+
+  /** On which side the close-up's body shows its underside: that is where its camera stands. Says whether it is another one now. */
+  private lean(poses: Float64Array): boolean {
+    const { plan, heading, mirrored } = this;
+    if (plan.closeUp === null) return false;
+    const o = 12 * plan.closeUp;
+    const left = Math.cos(heading) * poses[o + 8]! - Math.sin(heading) * poses[o + 5]!;
+    this.mirrored = left < (mirrored ? SIDE : -SIDE);
+    return this.mirrored !== mirrored;
+  }
+
   private seat(poses: Float64Array, time: number): void {
     const o = 12 * this.plan.subject;
     const { x, y, z } = this.position;
@@ -108,15 +133,17 @@ export class Focus {
     const body = subjectOf(view, this.plan);
     const close = view === 'caster' && this.plan.closeUp !== null;
     const at = bodies.matrix(body);
-    if (at && !this.plan.still) this.subject.setFromMatrixPosition(at);
-    const origin = close ? this.subject : this.position;
-    this.follower.put(this.plan.still ? [0, 0, 0] : this.subject.toArray());
+    if (at) this.subject.setFromMatrixPosition(at);
+    const followed = this.followed(this.subject.toArray(), view);
+    const origin = this.plan.still ? place.set(...followed) : close ? this.subject : this.position;
+    this.follower.put(followed);
     return placeView(
       view,
       close ? this.around(bodies, [body], origin) : this.block,
       origin.toArray(),
       this.heading,
       aspect,
+      close && this.mirrored,
     );
   }
 
@@ -134,6 +161,7 @@ export class Focus {
       ball.center.toArray(),
       this.heading,
       aspect,
+      this.mirrored,
     );
   }
 
@@ -167,3 +195,7 @@ export class Focus {
 }
 
 const place = new Vector3();
+
+/** How far (m) a place lies outside a block that stays where it is: so far the camera goes along. */
+const beyond = (at: Triple, { low, high }: Block): Triple =>
+  at.map((x, i) => Math.min(x - low[i]!, 0) + Math.max(x - high[i]!, 0)) as unknown as Triple;

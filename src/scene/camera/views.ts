@@ -50,20 +50,23 @@ export function headingOf(poses: ArrayLike<number>, offset = 0, facing: StagePla
   return Math.atan2(poses[offset + 6]!, poses[offset + 3]!);
 }
 
-/** Camera and target in world axes (m) for a view (the rider's has a place of its own: the orbit's here) of a block whose frame stands at `position` with the given heading (rad). */
+/** Camera and target in world axes (m) for a view (the rider's has a place of its own: the orbit's here) of a block whose frame stands at `position` with the given heading (rad). `mirrored` looks from the other side. */
 export function placeView(
   name: ViewName,
   block: Block,
   position: Triple,
   heading: number,
   aspect: number,
+  mirrored = false,
 ): { camera: Triple; target: Triple } {
   const view = VIEWS[name === 'rider' ? 'orbit' : name];
   const { low, high } = block;
   const half = [0, 1, 2].map((i) => (high[i]! - low[i]!) / 2) as unknown as Triple;
   const centre = [0, 1, 2].map((i) => (high[i]! + low[i]!) / 2) as unknown as Triple;
   // From above, what is longer than wide stands upright on a tall picture.
-  const [x, y, z]: Triple = name === 'top' && !liesDown(aspect) && half[0] > half[1] ? [-1e-3, 0, 1] : view.direction;
+  const [x, side, z]: Triple =
+    name === 'top' && !liesDown(aspect) && half[0] > half[1] ? [-1e-3, 0, 1] : view.direction;
+  const y = mirrored ? -side : side;
   const length = Math.hypot(x, y, z);
   const level = Math.hypot(x, y);
   const right: Triple = [-y / level, x / level, 0];

@@ -4,9 +4,11 @@ import { ball, box, tube } from '../../geometry/solids.ts';
 const radius = 0.05;
 /** From the mark of zero; Euler's method of Fig. 13 swings to both sides of it. */
 const reach = 1;
+/** The time line, m: a second of the figure at the view's 2 m/s. */
+const length = 2;
 
 /**
- * A ball at the height y before a scale from -1 to 1, marked in tenths.
+ * A ball at the height y, drawing its curve along a time line from a scale from -1 to 1; both are marked in tenths.
  *
  * @param _ parameters, none of which shows
  */
@@ -20,6 +22,9 @@ export function draw(_: Value): Sketch {
       0.001,
     );
   });
+  const ticks = Array.from({ length: 10 }, (_, k) => (length * (k + 1)) / 10).map((x, k) =>
+    box([x - 0.003, behind - 0.002, k === 9 || k === 4 ? -0.06 : -0.035], [x + 0.003, behind, 0], 0.001),
+  );
   return {
     bodies: {
       marker: {
@@ -29,7 +34,7 @@ export function draw(_: Value): Sketch {
     },
     fixtures: {
       scale: {
-        about: 'Scale from -1 to 1; zero is the origin.',
+        about: 'Scale from -1 to 1, and a second of time; zero is the origin.',
         parts: [
           {
             group: 'board',
@@ -37,6 +42,11 @@ export function draw(_: Value): Sketch {
             triangles: box([-width / 2, behind, -reach - 0.05], [width / 2, behind + 0.02, reach + 0.05], 0.004),
           },
           { group: 'marks', material: 'ink', triangles: marks.flat() },
+          {
+            group: 'line',
+            material: 'ink',
+            triangles: [...box([0, behind - 0.001, -0.004], [length + 0.1, behind, 0.004], 0.001), ...ticks.flat()],
+          },
           {
             group: 'foot',
             material: 'steel',
@@ -50,8 +60,8 @@ export function draw(_: Value): Sketch {
       facing: 'world',
       floor: -reach - 0.08,
       frame: [
-        [-0.3, -0.1, -reach - 0.08],
-        [0.3, 0.1, reach + 0.1],
+        [-0.2, -0.1, -reach - 0.08],
+        [length + 0.2, 0.1, reach + 0.1],
       ],
     },
   };

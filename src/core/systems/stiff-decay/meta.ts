@@ -5,7 +5,7 @@ export const stiffDecayMeta = {
   id: 'stiff-decay',
   title: 'Stiff decay (y′ = −15 y)',
   order: 1,
-  coordinates: [{ name: 'y', symbol: 'y', label: 'value', kind: 'length', role: 'neutral', rest: 1 }],
+  coordinates: [{ name: 'y', symbol: 'y', label: 'value', kind: 'length', pure: true, role: 'neutral', rest: 1 }],
   parameters: [
     {
       name: 'rate',

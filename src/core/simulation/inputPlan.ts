@@ -1,20 +1,30 @@
 import type { CompiledExpression } from '../scenario/expressions.ts';
 import { Schedule, type ScheduleOptions } from '../scenario/expressions/schedule.ts';
+import { REACH_OF_ONE, REACH_OF_STAGES } from '../scenario/expressions/pace.ts';
+import type { Scenario } from '../scenario/types.ts';
 import type { HeldControl } from './heldControl.ts';
 import type { Saturation } from './saturation.ts';
 
 /** A part of a formula's largest size that may go unseen, beside the relative tolerance; rounding sets the least. */
 const UNSEEN = 0.01;
 const LEAST_UNSEEN = 1e-14;
-const MOST_UNSEEN = 1e-9;
+const MOST_UNSEEN = 1e-5;
+
+/** Methods that know an input by one value a step. */
+const oneValue: ReadonlySet<string> = new Set(['bdf', 'ida']);
 
 /** A fixed step has no error estimate to shorten it: so many have to fit into the bound. */
-const FIXED_ROOM = 2;
+const FIXED_ROOM = 5;
 /** After the first place that a fixed step passes over, so many windows are looked at for the shortest step. */
 const MOST_WINDOWS = 200;
 
-/** How much of an input may go unseen in a run of a relative tolerance. */
-export const unseenAt = (rtol: number): number => Math.min(MOST_UNSEEN, Math.max(LEAST_UNSEEN, UNSEEN * rtol));
+/** How closely a run of a method has to look at its inputs. */
+export function sightOf({ name, rtol, stages }: Scenario['method']): Pick<PlanOptions, 'quiet' | 'reach'> {
+  return {
+    quiet: Math.min(MOST_UNSEEN, Math.max(LEAST_UNSEEN, UNSEEN * rtol)),
+    reach: oneValue.has(name) || stages === 1 ? REACH_OF_ONE : REACH_OF_STAGES,
+  };
+}
 
 /** Where and when a run's inputs are formulas, and how closely they are looked at. */
 export interface PlanOptions {
@@ -22,6 +32,8 @@ export interface PlanOptions {
   until: number;
   /** What part of its largest size an input may change by unseen. */
   quiet: number;
+  /** How much faster than a step they may change within it (`pace.ts`). */
+  reach: number;
 }
 
 /**

@@ -1,10 +1,11 @@
+import { REACH_OF_ONE } from '../scenario/expressions/pace.ts';
 import { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
 import { AttitudeCharts } from '../mechanics/attitudeCharts.ts';
 import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
 import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
-import { unseenAt, type InputPlan } from './inputPlan.ts';
+import { sightOf, type InputPlan } from './inputPlan.ts';
 import { dipBetween } from './dip.ts';
 import type { Saturation } from './saturation.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
@@ -161,7 +162,7 @@ export class Simulation {
     const hold = scenario.hold.map((name) => meta.coordinates.findIndex((c) => c.name === name));
     const startTime = from?.time ?? 0;
     this.actuation = actuationOf(scenario, meta, feedback);
-    const planned = { from: startTime, until: scenario.duration, quiet: unseenAt(scenario.method.rtol) };
+    const planned = { from: startTime, until: scenario.duration, ...sightOf(scenario.method) };
     const stepped = this.actuation.forcing
       ? actuationOf(scenario, meta, feedback, planned, this.actuation.held)
       : this.actuation;
@@ -173,7 +174,10 @@ export class Simulation {
     const unresolved = stepped.plan && fixedStepOf(scenario.method);
     this.warnings = [
       ...(unresolved
-        ? tooFast(actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART }).plan, unresolved)
+        ? tooFast(
+            actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART, reach: REACH_OF_ONE }).plan,
+            unresolved,
+          )
         : []),
       ...(feedback && !from ? turnWarnings(turnsAway(meta, start.q, feedback.values())) : []),
     ];

@@ -3,11 +3,12 @@ import { describe, expect, it } from 'vitest';
 import { compileExpression } from '../../../src/core/scenario/expressions.ts';
 import { closuresOf, mark } from '../../../src/core/scenario/expressions/closures.ts';
 import { Enclosure } from '../../../src/core/scenario/expressions/enclosure.ts';
+import { REACH_OF_STAGES } from '../../../src/core/scenario/expressions/pace.ts';
 import { Schedule } from '../../../src/core/scenario/expressions/schedule.ts';
 
 const of = (text: string) => compileExpression(text, { variables: ['t'] });
 const scheduleOf = (text: string, until: number, withRate = false) =>
-  new Schedule(of(text), { from: 0, until, quiet: 1e-12, withRate });
+  new Schedule(of(text), { from: 0, until, quiet: 1e-12, reach: REACH_OF_STAGES, withRate });
 
 /** Switches and the shortest bound on the way to the end. */
 function walk(text: string, until: number, withRate = false): { switches: number[]; steps: number; shortest: number } {
@@ -168,7 +169,7 @@ describe('switches', () => {
 
   it('each side is seen from within', () => {
     const f = of('t > 5 ? 1 : t < 5 ? 2 : 3');
-    const schedule = new Schedule(f, { from: 0, until: 10, quiet: 1e-12, withRate: false });
+    const schedule = new Schedule(f, { from: 0, until: 10, quiet: 1e-12, reach: REACH_OF_STAGES, withRate: false });
     expect([f.evaluate(4), f.evaluate(schedule.end), f.evaluate(6)]).toEqual([2, 2, 2]);
     schedule.begin(schedule.end);
     expect(f.evaluate(5)).toBe(1);

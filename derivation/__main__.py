@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from . import (bicycle, cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, ripstik_rider, rolling_wheel, stiff_decay,
+from . import (bicycle, bicycle_rider, cart_pendulum, caster_rotation, casterboard_robot, chaplygin_sleigh, generate, ripstik, ripstik_rider, rolling_wheel, stiff_decay,
                wheel_pendulum)
 
 SYSTEMS = {
@@ -21,6 +21,7 @@ SYSTEMS = {
     "casterboard-robot": casterboard_robot,
     "chaplygin-sleigh": chaplygin_sleigh,
     "bicycle": bicycle,
+    "bicycle-rider": bicycle_rider,
 }
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -47,7 +47,8 @@ def disc(name: str) -> sp.Matrix:
 class Bicycle:
     """Frames and bodies. Lean and steer to the right are positive, a wheel that rolls forward spins positively."""
 
-    def __init__(self):
+    def __init__(self, q: sp.Matrix = q, v: sp.Matrix = v):
+        self.q, self.v = q, v
         self.heading = Frame.world(q).turned("z", yaw, q)
         self.leaned = self.heading.turned("x", roll, q)
         self.frame = self.leaned.turned("y", pitch, q)
@@ -79,7 +80,7 @@ class Bicycle:
 
     def shown(self):
         """Frames that are drawn: the front frame's axes are those of the upright bicycle at zero steer, its origin the hub."""
-        upright_fork = self.fork.turned("y", p["steerAxisTilt"], q)
+        upright_fork = self.fork.turned("y", p["steerAxisTilt"], self.q)
         places = ((self.rear_wheel, self.rear_hub), (self.frame, self.rear_hub), (upright_fork, self.front_hub), (self.front_wheel, self.front_hub))
         return tuple(Body(b.name, frame, point, b.mass, b.inertia) for b, (frame, point) in zip(self.bodies, places))
 
@@ -92,7 +93,7 @@ class Contact:
     """
 
     def __init__(self, tree: Tree, hub: Point, axes: Frame, spin, radius):
-        let = tree.names.let
+        let, q, v = tree.names.let, tree.q, tree.v
         heading, spin_row = hub.carrier, sp.Matrix([spin]).jacobian(q)
         spin_rate = (spin_row * v)[0]
         own, moving = tree.rotating(axes), tree.moving(hub)
@@ -148,7 +149,7 @@ class PrintedContact:
                         (self.s, f"s_{letter}", sp.sqrt(1 - self.e[2] ** 2)))
         self.marks = {f"axle.{wheel.name}": rf"\mathbf e_{{{letter}}}", f"up.{wheel.name}": rf"\mathbf u_{{{letter}}}",
                       f"heading.{wheel.name}": rf"\mathbf f_{{{letter}}}", f"contact.{wheel.name}": rf"\dot{{\mathbf c}}_{{{letter}}}"}
-        self.wheel, self.axes, self.radius = wheel, axes, p[radius]
+        self.wheel, self.axes, self.radius, self.q, self.v = wheel, axes, p[radius], b.q, b.v
         self.in_words(carrier)
 
     def in_words(self, carrier: str):
@@ -157,8 +158,8 @@ class PrintedContact:
         e, u, f, c = (mark(f"{kind}.{name}") for kind in ("axle", "up", "heading", "contact"))
         root = rf"\sqrt{{1 - ({e} \cdot \mathbf e_z)^2}}"
         up, forward = (EZ - axle[2] * axle) / s, axle.cross(EZ) / s
-        hub = self.wheel.centre.jacobian(q) * v
-        velocity = hub - self.radius * (self.wheel.frame.R * self.wheel.frame.W * v).cross(up)
+        hub = self.wheel.centre.jacobian(self.q) * self.v
+        velocity = hub - self.radius * (self.wheel.frame.R * self.wheel.frame.W * self.v).cross(up)
         made = [
             (e, Term(rf"{mark(f'R.{carrier}')}\, \mathbf e_y", axle), axle),
             (u, Term(rf"\dfrac{{\mathbf e_z - ({e} \cdot \mathbf e_z)\, {e}}}{{{root}}}", up), up),
@@ -172,36 +173,45 @@ class PrintedContact:
     def rows(self):
         """Entry by entry. With f x e = u, e x u = f and g = z x f, a turning w of the wheel's axes moves the contact by
         f . (w x -r u) = -r e . w, g . (w x -r u) = r (e2 w1 - e1 w2) and z . (w x -r u) = r e3 f . w; spinning, by -r f."""
-        hub, spin = self.wheel.centre, sp.Matrix([self.wheel.frame.angle]).jacobian(q)
+        hub, spin = self.wheel.centre, sp.Matrix([self.wheel.frame.angle]).jacobian(self.q)
         e, s, r = self.e, self.s, self.radius
         f, g = sp.Matrix([e[1], -e[0], 0]) / s, sp.Matrix([e[0], e[1], 0]) / s
         turning = (self.axes.relative_to(self.heading) * self.axes.W).applyfunc(tidy)
-        moving = (self.heading.R.T * hub.base.jacobian(q) + hub.relative_jacobian(q)).applyfunc(tidy)
+        moving = (self.heading.R.T * hub.base.jacobian(self.q) + hub.relative_jacobian(self.q)).applyfunc(tidy)
         along = (f.T * moving).applyfunc(sp.factor_terms) - r * (e.T * turning + spin)
         across = (g.T * moving).applyfunc(sp.factor_terms) + r * (e[1] * turning.row(0) - e[0] * turning.row(1))
         vertical = moving.row(2) + r * e[2] * (f.T * turning)
         return tuple(Row(f"{self.side}.{title}", vanishes, row) for title, vanishes, row in zip(("along", "across", "vertical"), self.vanishing, (along, across, vertical)))
 
 
-def notation(b: Bicycle) -> Notation:
+COORDINATE_SYMBOLS = "x y ψ φ θ δ θ_R θ_F"
+PARAMETER_SYMBOLS = "w c λ g r_R m_R I_Rxx I_Ryy x_B z_B m_B I_Bxx I_Byy I_Bzz I_Bxz x_H z_H m_H I_Hxx I_Hyy I_Hzz I_Hxz r_F m_F I_Fxx I_Fyy"
+SUBSCRIPTS = {"rear-wheel": "R", "rear-frame": "B", "front-frame": "H", "front-wheel": "F"}
+
+
+def notation(b: Bicycle, symbols: str, subscripts: dict[str, str], losses) -> Notation:
     rear_wheel, front_wheel = b.bodies[0], b.bodies[3]
     rear = PrintedContact(b, rear_wheel, b.frame, "rear-frame", "rearRadius", "R")
     front = PrintedContact(b, front_wheel, b.fork, "front-frame", "frontRadius", "F")
     return Notation(
-        "x y ψ φ θ δ θ_R θ_F w c λ g r_R m_R I_Rxx I_Ryy x_B z_B m_B I_Bxx I_Byy I_Bzz I_Bxz x_H z_H m_H I_Hxx I_Hyy I_Hzz I_Hxz r_F m_F I_Fxx I_Fyy",
-        {"rear-wheel": "R", "rear-frame": "B", "front-frame": "H", "front-wheel": "F"}, frames=(("h", b.heading), ("l", b.leaned)),
+        symbols, subscripts, frames=(("h", b.heading), ("l", b.leaned)),
         masses=b.bodies, rows={"rolling": (*rear.rows()[:2], *front.rows())}, contacts=(*rear.formulas, *front.formulas),
-        defined=(*rear.defined, *front.defined), marks=rear.marks | front.marks, heights=("z_{F}",),
+        defined=(*rear.defined, *front.defined), marks=rear.marks | front.marks, heights=("z_{F}",), losses=losses,
+    )
+
+
+def modelled(id: str, title: str, b: Bicycle, parameters, symbols: str, subscripts: dict[str, str], springs=sp.Integer(0), losses=None) -> Model:
+    """`springs`: an energy beside gravity's; `losses`: forces that no Lagrangian gives, n x 1."""
+    names = Names()
+    tree = Tree(b.q, b.v, names)
+    free = recursion.equations(tree, b.bodies, p["gravity"])
+    return Model(
+        id=id, title=title, q=b.q, v=b.v, parameters=tuple(parameters),
+        equations=Equations(free.M, free.h - sp.Matrix([springs]).jacobian(b.q).T + (sp.zeros(len(b.q), 1) if losses is None else losses)),
+        kinetic=kinetic(b.bodies, b.q, b.v), potential=potential(b.bodies, p["gravity"]) + springs,
+        bodies=b.shown(), constraints=(rolling(b, tree),), definitions=tuple(names.definitions), notation=notation(b, symbols, subscripts, losses),
     )
 
 
 def model() -> Model:
-    b = Bicycle()
-    names = Names()
-    tree = Tree(q, v, names)
-    free = recursion.equations(tree, b.bodies, p["gravity"])
-    return Model(
-        id="bicycle", title="the Whipple bicycle", q=q, v=v, parameters=tuple(p.values()),
-        equations=Equations(free.M, free.h), kinetic=kinetic(b.bodies, q, v), potential=potential(b.bodies, p["gravity"]),
-        bodies=b.shown(), constraints=(rolling(b, tree),), definitions=tuple(names.definitions), notation=notation(b),
-    )
+    return modelled("bicycle", "the Whipple bicycle", Bicycle(), p.values(), f"{COORDINATE_SYMBOLS} {PARAMETER_SYMBOLS}", SUBSCRIPTS)

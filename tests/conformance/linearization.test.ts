@@ -16,6 +16,7 @@ const points: Record<string, Record<string, number | string>[]> = {
   'wheel-pendulum': [{}, { psi: '90 deg' }, { phi_dot: 2, X_dot: 1 }],
   'casterboard-robot': [{}, { theta: 0.7 }],
   bicycle: [{ speed: 0 }, { speed: 3 }, { speed: 5 }],
+  'bicycle-rider': [{ speed: 0 }, { speed: 5 }],
   'ripstik-rider': [{}, { X_dot: 1 }, { X_dot: 5 }],
   'chaplygin-sleigh': [{}, { x_dot: 1 }],
 };

@@ -49,6 +49,12 @@ const symmetries: Readonly<Record<string, Symmetry>> = {
     turn: ['x', 'y', 'yaw'],
     mirror: ['y', 'yaw', 'roll', 'steer'],
   },
+  'bicycle-rider': {
+    shift: { x: 1, y: -2, rear_spin: 5, front_spin: 3 },
+    turn: ['x', 'y', 'yaw'],
+    mirror: ['y', 'yaw', 'roll', 'steer', 'lean'],
+    losses: ['leanDamping'],
+  },
   'chaplygin-sleigh': { shift: { x: 1, y: -2 }, turn: ['x', 'y', 'theta'], mirror: ['y', 'theta'] },
 };
 

@@ -15,6 +15,7 @@ export const templates: readonly Template[] = [
   { id: 'wheel-pendulum', title: 'Wheel and pendulum', load: () => import('./templates/wheel-pendulum.ts') },
   { id: 'casterboard-robot', title: 'Casterboard robot', load: () => import('./templates/casterboard-robot.ts') },
   { id: 'bicycle', title: 'Bicycle (Whipple)', load: () => import('./templates/bicycle.ts') },
+  { id: 'bicycle-rider', title: 'Bicycle with a leaning rider', load: () => import('./templates/bicycle-rider.ts') },
   { id: 'chaplygin-sleigh', title: 'Chaplygin sleigh', load: () => import('./templates/chaplygin-sleigh.ts') },
   { id: 'torus-disc', title: 'Rolling torus disc', load: () => import('./templates/torus-disc.ts') },
   { id: 'snakeboard', title: 'Snakeboard', load: () => import('./templates/snakeboard.ts') },

@@ -11,6 +11,7 @@ import type { System, SystemMeta, SystemView } from '../model/system.ts';
 import type { Tape } from '../model/tape.ts';
 import type { Typeset } from '../model/typeset.ts';
 import { bicycle } from './bicycle/index.ts';
+import { bicycleRider } from './bicycle-rider/index.ts';
 import { cartPendulum } from './cart-pendulum/index.ts';
 import { casterRotation } from './caster-rotation/index.ts';
 import { casterboardRobot } from './casterboard-robot/index.ts';
@@ -34,6 +35,7 @@ const registered: readonly SystemFolder[] = [
   wheelPendulum,
   casterboardRobot,
   bicycle,
+  bicycleRider,
   chaplyginSleigh,
 ];
 

@@ -12,6 +12,7 @@ const CHAPTERS: Readonly<Record<string, SectionId>> = {
   'stiff-decay': 'mathematics',
   'chaplygin-sleigh': 'mathematics',
   bicycle: 'mathematics',
+  'bicycle-rider': 'rider',
   'cart-pendulum': 'control',
   'wheel-pendulum': 'control',
   'ripstik-rider': 'rider',

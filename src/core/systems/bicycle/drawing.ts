@@ -87,30 +87,42 @@ const pedal = ({ w, bracket }: Layout, side: 1 | -1): Vec3 =>
   add(bracket, [-side * 0.15 * w, side * 0.09 * w, -0.04 * w]);
 
 /** A figure of tubes and balls on the saddle; it belongs to the rear frame, so its hands rest near the bar, not on it. */
-function riderParts(l: Layout): Part[] {
-  const { w, saddle, bar } = l;
-  const hip = add(saddle, [-0.02 * w, 0, 0.1 * w]);
-  const neck = add(saddle, [0.27 * w, 0, 0.56 * w]);
-  const limb = (side: 1 | -1, points: readonly Vec3[], from: number, to: number): Triangle[] =>
-    points.slice(1).flatMap((point, i) => {
-      const thickness = (k: number): number => from + ((to - from) * k) / (points.length - 1);
-      return [...tube(points[i]!, point, thickness(i), 14, thickness(i + 1)), ...ball(point, thickness(i + 1), 14)];
-    });
+const riderParts = (l: Layout): Part[] => [...legs(l), ...upperBody(l)];
+
+const hipOf = ({ w, saddle }: Layout): Vec3 => add(saddle, [-0.02 * w, 0, 0.1 * w]);
+
+const limb = (points: readonly Vec3[], from: number, to: number): Triangle[] =>
+  points.slice(1).flatMap((point, i) => {
+    const thickness = (k: number): number => from + ((to - from) * k) / (points.length - 1);
+    return [...tube(points[i]!, point, thickness(i), 14, thickness(i + 1)), ...ball(point, thickness(i + 1), 14)];
+  });
+
+function legs(l: Layout): Part[] {
+  const { w } = l;
+  const hip = hipOf(l);
   const leg = (side: 1 | -1): Triangle[] => {
     const start = beside(hip, side * 0.085 * w);
     const foot = add(pedal(l, side), [-0.02 * w, 0, 0.05 * w]);
     const knee = add(mixPoints(start, foot, 0.48), [0.17 * w + (side < 0 ? 0.02 : 0) * w, side * 0.02 * w, 0.05 * w]);
     return [
       ...ball(start, 0.085 * w, 16),
-      ...limb(side, [start, knee, foot], 0.082 * w, 0.042 * w),
+      ...limb([start, knee, foot], 0.082 * w, 0.042 * w),
       ...tube(add(foot, [-0.06 * w, 0, -0.02 * w]), add(foot, [0.13 * w, 0, -0.025 * w]), 0.035 * w, 14, 0.025 * w),
     ];
   };
+  return [{ group: 'rider', material: 'cloth', triangles: both(leg) }];
+}
+
+/** Trunk, arms and head. */
+function upperBody(l: Layout): Part[] {
+  const { w, saddle, bar } = l;
+  const hip = hipOf(l);
+  const neck = add(saddle, [0.27 * w, 0, 0.56 * w]);
   const arm = (side: 1 | -1): Triangle[] => {
     const shoulder = beside(add(neck, [-0.02 * w, 0, -0.06 * w]), side * 0.17 * w);
     const hand = add(bar, [-0.14 * w, side * 0.25 * w, 0.045 * w]);
     const elbow = add(mixPoints(shoulder, hand, 0.5), [-0.04 * w, side * 0.05 * w, -0.05 * w]);
-    return [...ball(shoulder, 0.058 * w, 16), ...limb(side, [shoulder, elbow, hand], 0.055 * w, 0.033 * w)];
+    return [...ball(shoulder, 0.058 * w, 16), ...limb([shoulder, elbow, hand], 0.055 * w, 0.033 * w)];
   };
   return [
     {
@@ -120,7 +132,6 @@ function riderParts(l: Layout): Part[] {
         ...tube(add(hip, [0, 0, -0.03 * w]), add(neck, [-0.02 * w, 0, -0.04 * w]), 0.12 * w, 22, 0.135 * w),
         ...ball(hip, 0.125 * w, 24),
         ...ball(add(neck, [-0.035 * w, 0, -0.06 * w]), 0.132 * w, 24),
-        ...both(leg),
         ...both(arm),
       ],
     },
@@ -197,6 +208,26 @@ const shifted = (parts: readonly Part[], origin: Vec3): Part[] =>
  * @param p parameters by name, SI
  */
 export function draw(p: Value): Sketch {
+  return drawn(p, riderParts);
+}
+
+/**
+ * The same with a rider of whom only the legs belong to the rear frame.
+ *
+ * @param p parameters by name, SI
+ * @param hinge height of the axis that the upper body leans about, above the ground (m)
+ */
+export function drawLeaning(p: Value, hinge: number): Sketch {
+  const sketch = drawn(p, legs);
+  const rider = {
+    about: 'Upper body: origin on the axis it leans about, x forward.',
+    parts: shifted(upperBody(layoutOf(p)), [0, 0, hinge]),
+  };
+  return { ...sketch, bodies: { ...sketch.bodies, rider } };
+}
+
+/** @param riding what of the rider belongs to the rear frame */
+function drawn(p: Value, riding: (l: Layout) => Part[]): Sketch {
   const layout = layoutOf(p);
   const wheel = (radius: number): Part[] =>
     spokedWheel({ radius, halfWidth: 0.018 * layout.w, spokes: 16, spokeRadius: 0.003 * layout.w });
@@ -205,7 +236,7 @@ export function draw(p: Value): Sketch {
       'rear-wheel': { about: 'Rear wheel: origin at the hub, axle along y.', parts: wheel(layout.rear[2]) },
       'rear-frame': {
         about: 'Rear frame with its rider.',
-        parts: shifted([...frameParts(layout), ...riderParts(layout)], layout.rear),
+        parts: shifted([...frameParts(layout), ...riding(layout)], layout.rear),
       },
       'front-frame': { about: 'Front frame: fork and handlebar.', parts: shifted(forkParts(layout), layout.front) },
       'front-wheel': { about: 'Front wheel: origin at the hub, axle along y.', parts: wheel(layout.front[2]) },

@@ -1,0 +1,9 @@
+import { type Sketch, sizeOf, type Value } from '../../geometry/drawing.ts';
+import { drawLeaning } from '../bicycle/drawing.ts';
+
+/**
+ * The bicycle, with a rider whose trunk, arms and head lean about the saddle.
+ *
+ * @param p parameters by name, SI
+ */
+export const draw = (p: Value): Sketch => drawLeaning(p, -sizeOf(p('hingeZ', -1.011)));

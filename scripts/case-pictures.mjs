@@ -1,7 +1,7 @@
 // npm run pictures -- cases [id …]: the scene of every case at a telling moment, as docs/cases/<id>.webp and, small, in
 // both themes, as public/cases/<id>-<theme>.webp for the gallery; beside it <id>-<theme>-loop.webp, what happens about that
 // moment as a strip of frames, which the gallery plays.
-/* global window, document, setTimeout, requestAnimationFrame, Image, WheelEvent -- functions given to the page run there */
+/* global window, document, setTimeout, Image, WheelEvent -- functions given to the page run there */
 import { Buffer } from 'node:buffer';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,8 +10,8 @@ import { root } from './setup.mjs';
 const SIZE = { width: 640, height: 400 };
 const CARD = { width: 360, height: 225 };
 /** One below the other: the gallery's style sheet names their number too. */
-const LOOP = { width: 240, height: 150, frames: 16, seconds: 2.4 };
-const QUALITY = { full: 0.8, card: 0.66, loop: 0.5 };
+const LOOP = { width: 224, height: 140, frames: 16, seconds: 2.4 };
+const QUALITY = { full: 0.8, card: 0.66, loop: 0.4 };
 /** What the orbit controls make of a wheel's 100 pixels. */
 const ZOOM_STEP = 0.95;
 const QUIET_MS = 300;
@@ -101,7 +101,7 @@ async function shoot(page, { time, view = 'orbit', distance = 1 }) {
 /** What happens about a picture's moment, seen as it was: frames one below the other, as WebP. */
 async function loop(page, { time }) {
   const url = await page.evaluate(
-    async ([at, { width, height, frames, seconds }, quality]) => {
+    ([at, { width, height, frames, seconds }, quality]) => {
       const { state, actions } = window.ripstikApp;
       const { start, end } = state.motion.value.trajectory;
       const long = Math.min(seconds, end - start);
@@ -112,8 +112,7 @@ async function loop(page, { time }) {
       const canvas = document.querySelector('[data-testid="scene"]');
       for (let k = 0; k < frames; k++) {
         actions.seek(from + (long * k) / (frames - 1));
-        // A path that is drawn for the first time is followed over some frames.
-        for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+        // Paths have been followed to their ends by now: nothing is waited for.
         window.ripstikScene.draw();
         context.drawImage(canvas, 0, k * height, width, height);
       }

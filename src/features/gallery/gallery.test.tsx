@@ -58,3 +58,24 @@ test('the button names the case in the panel, and says when it is edited', () =>
   draw(<CaseMenu />, { app });
   expect(screen.getByText(text.edited)).toBeTruthy();
 });
+
+test('a card plays what happens while it is pointed at or has focus; with reduced motion it stands still', () => {
+  const { cards } = gallery();
+  const card = screen.getByTestId(cards()[0]!);
+  const loops = () => screen.queryAllByTestId('card-loop').map((image) => image.getAttribute('src'));
+  const id = cards()[0]!.slice('case-'.length);
+  expect(loops()).toEqual([]);
+  fireEvent.mouseEnter(card.parentElement!);
+  expect(loops()).toEqual([expect.stringMatching(`^cases/${id}-(light|dark)-loop.webp$`)]);
+  expect(screen.getByTestId('card-loop').hidden).toBe(true); // Until it has been loaded.
+  fireEvent.load(screen.getByTestId('card-loop'));
+  expect(screen.getByTestId('card-loop').hidden).toBe(false);
+  fireEvent.mouseLeave(card.parentElement!);
+  expect(loops()).toEqual([]);
+  const still = vi.spyOn(window, 'matchMedia').mockReturnValue({ matches: true } as MediaQueryList);
+  fireEvent.focusIn(card);
+  expect(loops()).toEqual([]);
+  still.mockRestore();
+  fireEvent.focusIn(card);
+  expect(loops()).toHaveLength(1);
+});

@@ -21,7 +21,7 @@ describe('pictures of the cases', () => {
         [
           `docs/cases/${id}.webp`,
           ...figures.map((_, i) => `docs/cases/${id}-${i + 1}.webp`),
-          ...['light', 'dark'].map((theme) => `public/cases/${id}-${theme}.webp`),
+          ...['light', 'light-loop', 'dark', 'dark-loop'].map((which) => `public/cases/${id}-${which}.webp`),
         ],
       ] as const,
   );
@@ -30,7 +30,7 @@ describe('pictures of the cases', () => {
     expect(paths.filter((path) => !isWebp(path))).toEqual([]);
   });
 
-  test('none is left of a case that is gone; all cards together stay small', () => {
+  test('none is left of a case that is gone; all cards together stay small, and each loop', () => {
     const all = ['docs/cases', 'public/cases'].flatMap((folder) =>
       readdirSync(folder)
         .filter((name) => name.endsWith('.webp'))
@@ -38,10 +38,12 @@ describe('pictures of the cases', () => {
     );
     const known = new Set(wanted.flatMap(([, paths]) => paths));
     expect(all.filter((path) => !known.has(path))).toEqual([]);
-    const bytes = all
-      .filter((path) => path.startsWith('public'))
-      .reduce((sum, path) => sum + readFileSync(path).length, 0);
-    expect(bytes).toBeLessThan(500_000);
+    const size = (path: string) => readFileSync(path).length;
+    const [loops, cards] = [true, false].map((loop) =>
+      all.filter((path) => path.startsWith('public') && path.endsWith('-loop.webp') === loop),
+    ) as [string[], string[]];
+    expect(cards.reduce((sum, path) => sum + size(path), 0)).toBeLessThan(500_000);
+    expect(loops.filter((path) => size(path) > 60_000)).toEqual([]);
   });
 
   test('docs/cases.md shows each', () => {

@@ -33,7 +33,7 @@ export const ripstikCases: readonly Case[] = [
     source: '',
     look: 'Ten degrees of lean at 1 m/s: two small motors on the casters steer the board back under itself. Open Control and change a weight while it rides.',
     chapter: '3.5',
-    picture: { time: 0.25 },
+    picture: { time: 0.25, view: 'front' },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -52,7 +52,7 @@ export const ripstikCases: readonly Case[] = [
     source: '',
     look: 'The same lean, by a computer that samples 200 times a second and answers 5 ms late: a regulator designed for that stands. Under Control choose the continuous gain, and it falls within 0.03 s.',
     chapter: '3.5',
-    picture: { time: 0.4 },
+    picture: { time: 0.4, view: 'caster', distance: 1.5 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -78,7 +78,7 @@ export const ripstikCases: readonly Case[] = [
     source: '',
     look: 'Motors at 200 Hz, 5 ms late; rolls and rates from a small inertial sensor, steer from encoders, line and heading from a position sensor. Tests puts it through the manoeuvres of section 3.5.3: it passes them all. With the continuous gain, held, it falls in the first.',
     chapter: '3.5',
-    picture: { time: 0.4 },
+    picture: { time: 0.4, view: 'side' },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -130,7 +130,7 @@ export const ripstikCases: readonly Case[] = [
     among: { id: 'released', value: '1\u202fm/s' },
     source: '',
     look: 'Half a degree of lean grows until a corner of the deck touches the ground.',
-    picture: { time: 0.52 },
+    picture: { time: 0.52, view: 'front' },
     scenario: { version: 1, system: 'ripstik', initial: { X_dot: 1, alpha: '0.5 deg' }, duration: 10 },
     plots: [
       { title: 'Roll of the plates on the rod', x: 't', y: ['alpha_fp', 'alpha_bp'], unit: 'deg' },
@@ -142,7 +142,7 @@ export const ripstikCases: readonly Case[] = [
     title: `Released at ${speed} m/s`,
     among: { id: 'released', value: `${speed}\u202fm/s` },
     source: '',
-    picture: { time: speed === 2 ? 0.56 : 0.61 },
+    picture: { time: speed === 2 ? 0.56 : 0.61, view: 'top' },
     look: 'The same half degree of lean: the faster the board coasts, the later it falls. Its casters steer into the fall, but too little to stop it.',
     scenario: { version: 1, system: 'ripstik', initial: { X_dot: speed, alpha: '0.5 deg' }, duration: 10 },
     plots: [
@@ -202,7 +202,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Falling onto the ground',
     source: 'Report, section 3.4.4, with rolling constraints and a ground',
     look: 'Ten degrees of lean at rest, stopped by the ground.',
-    picture: { time: 0.17 },
+    picture: { time: 0.17, view: 'caster', distance: 1.7 },
     scenario: { version: 1, system: 'ripstik', initial: { alpha: '10 deg' }, duration: 5 },
     chapter: '3.4.4',
     plots: [
@@ -304,7 +304,7 @@ export const ripstikCases: readonly Case[] = [
     source: 'Report, section 3.5: its two disturbances, here on both plates',
     look: 'At 1 m/s the steering motors catch a push to one side at 2 s and one to the other at 6 s. Pull at a plate yourself, while it rides: a spring pulls where you drag.',
     chapter: '3.5',
-    picture: { time: 2.2 },
+    picture: { time: 2.2, distance: 1.4 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -326,7 +326,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Gains that follow the speed',
     source: '',
     look: 'Driven from 0.5 to 4 m/s, its gains interpolated at the speed it has. Switch the schedule off in Control: the gain for 3 m/s alone lets it fall within a second.',
-    picture: { time: 1.5 },
+    picture: { time: 1.5, distance: 1.9 },
     scenario: {
       version: 1,
       system: 'ripstik',
@@ -350,7 +350,7 @@ export const ripstikCases: readonly Case[] = [
     title: 'Holds its speed on a circle',
     source: '',
     look: 'Feet twist the plates to and fro by 9.6° at 2 Hz about a twist of 3.8°. Against the drag of the wheels that holds 1 m/s, from whatever speed it starts, on a circle 4 m across.',
-    picture: { time: 10.5, distance: 1.5 },
+    picture: { time: 10.5, view: 'top', distance: 2.2 },
     scenario: {
       version: 1,
       system: 'ripstik',

@@ -10,7 +10,8 @@ function run(method: string, name: string, step: number, look: string, steps: re
     figure: 'Fig. 13',
     chapter: '3.4.3',
     look,
-    picture: { time: step > 0.2 ? 0 : step * (method === 'euler' ? 2 : 1) },
+    picture:
+      step > 0.2 ? { time: 0.3, view: 'side', distance: 2.5 } : { time: method === 'euler' ? 0.8 : 0.3, view: 'side' },
     scenario: { version: 1, system: 'stiff-decay', method: { name: method, step }, duration: 1, outputStep: step },
     published: steps.map((value, k) => ({
       what: `y after ${k + 1} step${k === 0 ? '' : 's'}`,

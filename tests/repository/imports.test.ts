@@ -23,17 +23,18 @@ const PARTS: Table = {
 };
 /** Which folder of `src/core` may import which. */
 const CORE: Table = {
+  elementary: [],
   linalg: [],
   model: [],
   geometry: ['model'],
-  integrators: ['linalg'],
-  scenario: ['model', 'integrators'],
+  integrators: ['elementary', 'linalg'],
+  scenario: ['elementary', 'model', 'integrators'],
   mechanics: ['linalg', 'model', 'integrators'],
   cases: ['linalg', 'model', 'integrators', 'scenario'],
-  description: ['linalg', 'model', 'engine', 'scenario', 'geometry'],
+  description: ['elementary', 'linalg', 'model', 'engine', 'scenario', 'geometry'],
   systems: ['model', 'geometry', 'cases', 'scenario', 'description'],
-  engine: ['model', 'integrators', 'mechanics'],
-  simulation: ['linalg', 'model', 'integrators', 'mechanics', 'engine', 'scenario'],
+  engine: ['elementary', 'model', 'integrators', 'mechanics'],
+  simulation: ['elementary', 'linalg', 'model', 'integrators', 'mechanics', 'engine', 'scenario'],
   motion: ['linalg', 'model', 'cases', 'simulation'],
   gait: ['model', 'scenario', 'simulation', 'motion'],
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],

@@ -6,6 +6,7 @@
  * section 3.1) and in reverse (section 3.2). Only what costs nothing is simplified: zeros, ones, numbers and signs.
  */
 import { HOST_FUNCTIONS_OF_ONE } from '../engine/host.ts';
+import { power } from '../elementary/powers.ts';
 
 export const OPS = [
   'const',
@@ -212,7 +213,7 @@ export class Graph {
   pow(a: Id, b: Id): Id {
     if (this.isNumber(b)) {
       const n = this.value[b]!;
-      if (this.isNumber(a)) return this.number(Math.pow(this.value[a]!, n));
+      if (this.isNumber(a)) return this.number(power(this.value[a]!, n));
       if (Number.isInteger(n) && Math.abs(n) <= 64) {
         const whole = this.wholePower(a, Math.abs(n));
         return n < 0 ? this.div(this.one, whole) : whole;

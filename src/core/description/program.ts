@@ -5,7 +5,7 @@
 import { f64, i32, Module } from '../engine/assembler.ts';
 import { compiles, HOST_FUNCTIONS, importsFor, instantiate } from '../engine/host.ts';
 import { compute } from '../engine/tape.ts';
-import { cosine, sine } from '../engine/trigonometry.ts';
+import { cosine, sine } from '../elementary/trigonometry.ts';
 import type { Op } from '../model/tape.ts';
 import { code, OPS, type Graph, type Id } from './graph.ts';
 

@@ -4,6 +4,7 @@
  */
 import { code } from './graph.ts';
 import { evaluateOne, type Call, type Program } from './program.ts';
+import { logarithm, power } from '../elementary/powers.ts';
 
 /**
  * A function like the program's that writes, for every output array and each of some input arrays, the derivatives row by row:
@@ -101,7 +102,7 @@ function seldom(op: number, x: number, y: number, f: number, dx: number, dy: num
     case code.atan2:
       return (y * dx - x * dy) / (x * x + y * y);
     case code.pow:
-      return y * Math.pow(x, y - 1) * dx + (dy === 0 ? 0 : f * Math.log(x) * dy);
+      return y * power(x, y - 1) * dx + (dy === 0 ? 0 : f * logarithm(x) * dy);
     default:
       return 0;
   }

@@ -1,5 +1,6 @@
 import type { Op } from '../model/tape.ts';
 import { F64, type Func, type Module } from './assembler.ts';
+import { exponential, logarithm, power } from '../elementary/powers.ts';
 
 /** Of WebAssembly's JavaScript interface, what is used: neither page nor process is presupposed here. */
 const host = (
@@ -45,8 +46,8 @@ export const HOST_FUNCTIONS_OF_ONE = {
   sinh: Math.sinh,
   cosh: Math.cosh,
   tanh: Math.tanh,
-  exp: Math.exp,
-  log: Math.log,
+  exp: exponential,
+  log: logarithm,
   log10: Math.log10,
   log2: Math.log2,
   cbrt: Math.cbrt,
@@ -56,7 +57,7 @@ export const HOST_FUNCTIONS_OF_ONE = {
 export const HOST_FUNCTIONS: Readonly<Record<string, (x: number, y: number) => number>> = {
   ...HOST_FUNCTIONS_OF_ONE,
   atan2: Math.atan2,
-  pow: Math.pow,
+  pow: power,
 };
 
 /**

@@ -4,7 +4,7 @@
  */
 import type { Op, Tape } from '../model/tape.ts';
 import { call, f64, get, i32, select, set, when, type Code, type Func } from './assembler.ts';
-import { COSINE, HALF_PI, ROUNDER, SINE, TWO_OVER_PI } from './trigonometry.ts';
+import { COSINE, HALF_PI, ROUNDER, SINE, TWO_OVER_PI } from '../elementary/trigonometry.ts';
 
 const binary: Readonly<Record<string, (a: Code, b: Code) => Code>> = {
   add: f64.add,

@@ -1,5 +1,6 @@
 import type { Estimate, Feedback, Program } from '../mechanics/forcing.ts';
 import type { Actuator, Scenario } from '../scenario/types.ts';
+import { exponential } from '../elementary/powers.ts';
 
 /**
  * A controller as a computer runs it: it measures at k h, asks its inputs once, and they are held from k h + delay until
@@ -28,7 +29,7 @@ interface Channel {
 
 /** What a channel's actuator gives at a time: what it was sent, or that approached with its lag. */
 function given({ actuator: { lag }, value, before, since }: Channel, t: number): number {
-  return lag ? value + (before - value) * Math.exp(-Math.max(0, t - since) / lag) : value;
+  return lag ? value + (before - value) * exponential(-Math.max(0, t - since) / lag) : value;
 }
 
 export class HeldControl {

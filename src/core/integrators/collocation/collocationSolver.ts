@@ -10,6 +10,7 @@ import {
   roundingScale,
   type NewtonOutcome,
 } from '../shared/newton.ts';
+import { power } from '../../elementary/powers.ts';
 
 /**
  * Solves the equations of collocation steps one after another, by simplified Newton iterations started from the
@@ -27,7 +28,7 @@ const MORE_PER_STAGE = 1;
  * direction step after step, and the sharper the tolerance, the more steps there are and the less else there is; RADAU5
  * and SciPy go down with the square root of rtol. Measured: docs/decisions/0019-newton-constants.md.
  */
-const kappa = (rtol: number): number => Math.min(3e-2, Math.max(1e-3, 0.3 * Math.pow(rtol, 0.25)));
+const kappa = (rtol: number): number => Math.min(3e-2, Math.max(1e-3, 0.3 * power(rtol, 0.25)));
 /** In equal steps, in units of the accuracy that equations without a tolerance are solved to. */
 const KAPPA_EQUAL_STEPS = 1e-3;
 /** A Jacobian is kept while an iteration wins this factor: a new one costs as much as one or two iterations. */

@@ -1,5 +1,6 @@
 import { luFactor, luSolve } from '../../linalg/lu.ts';
 import { derivativeOf, nodePolynomial, valueAt } from '../shared/polynomials.ts';
+import { power } from '../../elementary/powers.ts';
 
 /**
  * Eigenvalues and eigenvectors of a collocation method's Runge-Kutta matrix A, by which I - h A (x) J falls apart into
@@ -46,7 +47,7 @@ function complexValueAt(polynomial: readonly number[], x: Complex): Complex {
 function zeros(polynomial: readonly number[]): Complex[] {
   const degree = polynomial.length - 1;
   const leading = polynomial[degree]!;
-  const radius = Math.pow(Math.abs(polynomial[0]! / leading), 1 / degree);
+  const radius = power(Math.abs(polynomial[0]! / leading), 1 / degree);
   const x = Array.from({ length: degree }, (_, k): Complex => [
     radius * Math.cos(1 + (6 * k) / degree),
     radius * Math.sin(1 + (6 * k) / degree),

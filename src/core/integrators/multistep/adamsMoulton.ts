@@ -133,7 +133,8 @@ export class AdamsMoulton extends FixedStepper {
     let sum = 0;
     for (let i = 0; i < n; i++) {
       z[i]! += increment[i]!;
-      sum += (increment[i]! / scale[i]!) ** 2;
+      const part = increment[i]! / scale[i]!;
+      sum += part * part;
     }
     return Math.sqrt(sum / n);
   };

@@ -127,7 +127,8 @@ export class BdfCorrector {
       d[i]! -= increment[i]!;
       y[i] = predicted[i]! + d[i]!;
       slope[i] = predictedSlope[i]! + cj * d[i]!;
-      sum += (increment[i]! / scale[i]!) ** 2;
+      const part = increment[i]! / scale[i]!;
+      sum += part * part;
     }
     return Math.sqrt(sum / d.length);
   };

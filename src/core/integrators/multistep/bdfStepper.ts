@@ -5,6 +5,7 @@ import type { StepFailure, StepperOptions } from '../contract.ts';
 import { AdaptiveStepper } from '../shared/adaptiveStepper.ts';
 import { allFinite } from '../shared/finite.ts';
 import { GROW_MOST, SAFETY, SHRINK_MOST } from '../shared/stepControl.ts';
+import { power } from '../../elementary/powers.ts';
 
 /**
  * What `bdf` and `ida` have in common: backward differentiation of order 1 to 5 for F(t, y, y') = 0, with variable
@@ -165,7 +166,7 @@ export class BdfStepper extends AdaptiveStepper {
   private shrink(error: number, rejections: number): number {
     const { history } = this;
     const factor =
-      error < Infinity ? Math.max(SHRINK_MOST, this.safety * Math.pow(error, -1 / (history.order + 1))) : SHRINK_MOST;
+      error < Infinity ? Math.max(SHRINK_MOST, this.safety * power(error, -1 / (history.order + 1))) : SHRINK_MOST;
     if (rejections < REJECTIONS_TO_RESTART) return factor;
     if (!this.tuning.past) history.order = 1;
     return Math.min(factor, 0.5);
@@ -179,7 +180,7 @@ export class BdfStepper extends AdaptiveStepper {
       history.order = Math.min(maxOrder, order + 1);
       return;
     }
-    const reach = (k: number, e: number): number => Math.pow(e, -1 / (k + 1));
+    const reach = (k: number, e: number): number => power(e, -1 / (k + 1));
     let [best, factor] = [order, reach(order, error)];
     for (const k of [order - 1, order + 1]) {
       if (k < 1 || k > maxOrder) continue;

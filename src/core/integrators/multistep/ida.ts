@@ -53,7 +53,10 @@ class DaeEquations implements BdfEquations {
 
   firstStep(_t: number, _y: Float64Array, slope: Float64Array, scale: Float64Array): number {
     let sum = 0;
-    for (let i = 0; i < slope.length; i++) sum += (slope[i]! / scale[i]!) ** 2;
+    for (let i = 0; i < slope.length; i++) {
+      const part = slope[i]! / scale[i]!;
+      sum += part * part;
+    }
     return Math.min(FIRST_LONGEST, FIRST_MOVE / Math.sqrt(sum / slope.length));
   }
 

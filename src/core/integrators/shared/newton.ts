@@ -1,4 +1,5 @@
 import type { Counters, OdeProblem } from '../contract.ts';
+import { power } from '../../elementary/powers.ts';
 
 /**
  * Simplified Newton iteration for implicit methods: one Jacobian serves all iterations and, while they converge
@@ -71,7 +72,7 @@ export class SimplifiedNewton {
     let before = 0;
     let rateBefore = 0;
     this.theta = 0;
-    this.eta = Math.pow(Math.max(this.eta, Number.EPSILON), 0.8);
+    this.eta = power(Math.max(this.eta, Number.EPSILON), 0.8);
     for (this.iterations = 1; this.iterations <= this.most; this.iterations++) {
       const size = correct();
       if (!(size < Infinity)) return this.giveUp('no-value');
@@ -84,7 +85,7 @@ export class SimplifiedNewton {
         this.theta = theta;
         if (theta >= 0.99) return this.giveUp('slow');
         this.eta = theta / (1 - theta);
-        const reached = this.eta * size * Math.pow(theta, this.most - this.iterations);
+        const reached = this.eta * size * power(theta, this.most - this.iterations);
         if (reached > tolerance && size > floor) return this.giveUp('slow');
       }
       if (this.eta * size <= tolerance) return 'converged';

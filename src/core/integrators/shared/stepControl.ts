@@ -5,6 +5,7 @@
  * Gustafsson's constants as used by DOPRI5. Error norm: Hairer, Nørsett and Wanner, Solving ODEs I,
  * 2nd ed., section II.4, eq. (4.10), (4.11).
  */
+import { power } from '../../elementary/powers.ts';
 
 /** A step may shrink to a fifth and grow tenfold at once; 0.9 leaves room so that few steps are rejected. */
 export const SAFETY = 0.9;
@@ -48,7 +49,7 @@ export class PiController {
    * @param error scaled error, at most 1
    */
   accept(error: number): number {
-    const base = error > 0 ? SAFETY * Math.pow(error, -this.exponent) * Math.pow(this.lastError, BETA) : GROW_MOST;
+    const base = error > 0 ? SAFETY * power(error, -this.exponent) * power(this.lastError, BETA) : GROW_MOST;
     const factor = Math.min(this.rejectedLast ? 1 : GROW_MOST, Math.max(SHRINK_MOST, base));
     this.lastError = Math.max(error, LEAST_ERROR);
     this.rejectedLast = false;
@@ -61,7 +62,7 @@ export class PiController {
    */
   reject(error: number): number {
     this.rejectedLast = true;
-    return error < Infinity ? Math.max(SHRINK_MOST, SAFETY * Math.pow(error, -this.exponent)) : SHRINK_MOST;
+    return error < Infinity ? Math.max(SHRINK_MOST, SAFETY * power(error, -this.exponent)) : SHRINK_MOST;
   }
 }
 
@@ -203,7 +204,7 @@ export function firstStep(
   if (!f(t0 + h0, y1, f1)) return h0 > 0 ? h0 : CAUTIOUS_STEP;
   const d2 = norm(f1, f0) / h0;
   const steepest = Math.max(d1, d2);
-  const h1 = steepest <= 1e-15 ? Math.max(1e-6, h0 * 1e-3) : Math.pow(0.01 / steepest, 1 / (order + 1));
+  const h1 = steepest <= 1e-15 ? Math.max(1e-6, h0 * 1e-3) : power(0.01 / steepest, 1 / (order + 1));
   const h = Math.min(100 * h0, h1);
   return h > 0 ? h : CAUTIOUS_STEP;
 }

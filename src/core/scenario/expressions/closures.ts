@@ -1,5 +1,6 @@
 import { smooth } from './functions.ts';
 import { decide, type Node } from './tree.ts';
+import { logarithm, power as powerOf } from '../../elementary/powers.ts';
 
 /**
  * An expression as closures that give a value, or a value and its rate together, in doubles.
@@ -73,7 +74,7 @@ export function closuresOf(node: Node): Closures {
   if (!one) return binary(node.op, parts[0]!, parts[1] ?? parts[0]!);
   const [a] = parts as [Closures];
   // A root brings back what has vanished.
-  const root = node.op === 'sqrt' || node.op === 'cbrt' || one.f === Math.log;
+  const root = node.op === 'sqrt' || node.op === 'cbrt' || one.f === logarithm;
   const f = (x: number): number => {
     if (root && Math.abs(x) < VANISHING) mark.lost = true;
     return kept(one.f(x));
@@ -171,11 +172,11 @@ type Operation = readonly [
 const power: Operation = [
   (x, y) => {
     if (Math.abs(x) < VANISHING) mark.lost = true;
-    return kept(Math.pow(x, y));
+    return kept(powerOf(x, y));
   },
   (x, dx, y, dy, value) => {
-    const base = dx === 0 || y === 0 ? 0 : times(times(y, kept(Math.pow(x, y - 1))), dx);
-    return dy === 0 || (value === 0 && x === 0) ? base : base + times(times(value, Math.log(x)), dy);
+    const base = dx === 0 || y === 0 ? 0 : times(times(y, kept(powerOf(x, y - 1))), dx);
+    return dy === 0 || (value === 0 && x === 0) ? base : base + times(times(value, logarithm(x)), dy);
   },
 ];
 

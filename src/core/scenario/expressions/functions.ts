@@ -3,18 +3,25 @@
  * that neither overflows nor vanishes where the result is a number: dx / x / (x + 1/x) is the rate of atan(x) also where
  * x^2 is beyond doubles.
  */
+import { exponential, logarithm } from '../../elementary/powers.ts';
+import { cosine, sine } from '../../elementary/trigonometry.ts';
+
 export interface SmoothFunction {
   f(x: number): number;
   /** d/dt f(x) from x, dx/dt and f(x); not asked where dx/dt is 0. */
   rate(x: number, dx: number, fx: number): number;
 }
 
-const log: SmoothFunction = { f: Math.log, rate: (x, dx) => dx / x };
+/** Up to here the engine's own sine and cosine are right to 1 ulp; beyond, the host's. */
+const FARTHEST = 2 ** 20 * (Math.PI / 2);
+const sin = (x: number): number => (Math.abs(x) <= FARTHEST ? sine(x) : Math.sin(x));
+const cos = (x: number): number => (Math.abs(x) <= FARTHEST ? cosine(x) : Math.cos(x));
+const log: SmoothFunction = { f: logarithm, rate: (x, dx) => dx / x };
 const overCosh = (x: number, dx: number): number => dx / Math.cosh(x) / Math.cosh(x);
 
 export const smooth: ReadonlyMap<string, SmoothFunction> = new Map([
-  ['sin', { f: Math.sin, rate: (x, dx) => Math.cos(x) * dx }],
-  ['cos', { f: Math.cos, rate: (x, dx) => -Math.sin(x) * dx }],
+  ['sin', { f: sin, rate: (x, dx) => cos(x) * dx }],
+  ['cos', { f: cos, rate: (x, dx) => -sin(x) * dx }],
   ['tan', { f: Math.tan, rate: (x, dx) => dx / Math.cos(x) / Math.cos(x) }],
   ['asin', { f: Math.asin, rate: (x, dx) => dx / Math.sqrt((1 - x) * (1 + x)) }],
   ['acos', { f: Math.acos, rate: (x, dx) => -dx / Math.sqrt((1 - x) * (1 + x)) }],
@@ -22,7 +29,7 @@ export const smooth: ReadonlyMap<string, SmoothFunction> = new Map([
   ['sinh', { f: Math.sinh, rate: (x, dx) => Math.cosh(x) * dx }],
   ['cosh', { f: Math.cosh, rate: (x, dx) => Math.sinh(x) * dx }],
   ['tanh', { f: Math.tanh, rate: overCosh }],
-  ['exp', { f: Math.exp, rate: (_x, dx, fx) => fx * dx }],
+  ['exp', { f: exponential, rate: (_x, dx, fx) => fx * dx }],
   ['log', log],
   ['ln', log],
   ['log10', { f: Math.log10, rate: (x, dx) => dx / x / Math.LN10 }],

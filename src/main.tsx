@@ -5,6 +5,8 @@ import { Comparison } from './app/runs/comparison.ts';
 import { createApp, systemMetas } from './app/store.ts';
 import { Sweep } from './app/runs/sweep.ts';
 import { stageOf } from './app/runs/stage.ts';
+import { embeddingOf } from './app/embed/options.ts';
+import { browserStorage, nothingStored } from './app/persistence/browserStorage.ts';
 import { prepareStartup } from './app/startup.ts';
 import { Compute } from './compute/client/compute.ts';
 import { startWorker } from './compute/client/startWorker.ts';
@@ -31,30 +33,41 @@ const app = createApp(
 Object.assign(window, { ripstikApp: app });
 const stage = stageOf(app);
 const sceneError = signal<string | null>(null);
+const embedding = embeddingOf(location.search);
 const startup = prepareStartup(
   app,
   features.flatMap(({ id, tool }) => (tool ? [id] : [])),
+  // A frame in another page neither shows nor changes what a person has here.
+  embedding ? nothingStored : browserStorage,
 );
+const shown = {
+  app,
+  methods: methods.map(({ id, label, adaptive }) => ({ id, label, adaptive })),
+  formulations,
+  sceneText: stage.description,
+  sceneError,
+  onCanvas: (canvas: HTMLCanvasElement) => void connectScene(canvas, app, stage, sceneError),
+};
+const place = document.getElementById('app')!;
 
-render(
-  <Shell
-    app={app}
-    methods={methods.map(({ id, label, adaptive }) => ({ id, label, adaptive }))}
-    formulations={formulations}
-    origin={app.state.origin}
-    features={features}
-    onForget={() => void startup.autosave.forget()}
-    sceneText={stage.description}
-    sceneError={sceneError}
-    onCanvas={(canvas) => void connectScene(canvas, app, stage, sceneError)}
-  />,
-  document.getElementById('app')!,
-);
-
-void startup.begin();
+if (embedding) {
+  void Promise.all([import('./app/embed/start.ts'), import('./ui/shell/embeddedShell.tsx')]).then(
+    ([{ startEmbedded, wholePage }, { EmbeddedShell }]) => {
+      render(<EmbeddedShell {...shown} origin={app.state.origin} address={() => wholePage(app)} />, place);
+      startEmbedded(app, embedding, window);
+      void startup.begin();
+    },
+  );
+} else {
+  render(
+    <Shell {...shown} origin={app.state.origin} features={features} onForget={() => void startup.autosave.forget()} />,
+    place,
+  );
+  void startup.begin();
+}
 
 // After the first motion has been computed, so that storing the page for use without a connection takes nothing from it.
-if (import.meta.env.PROD && 'serviceWorker' in navigator) {
+if (!embedding && import.meta.env.PROD && 'serviceWorker' in navigator) {
   let asked = false;
   effect(() => {
     if (asked || (app.state.run.value?.kind !== 'ended' && app.state.motion.value?.source !== 'file')) return;

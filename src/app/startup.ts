@@ -1,7 +1,7 @@
 /** How the page begins: with a link, a file by address, the last work, or the first case. */
 import type { App } from './app.ts';
 import { Autosave } from './persistence/autosave.ts';
-import { browserStorage } from './persistence/browserStorage.ts';
+import type { BrowserStorage } from './persistence/browserStorage.ts';
 import { workOf, type Work } from './persistence/savedWork.ts';
 import { learnSystem, systemViews } from '../core/systems/registry.ts';
 import { systemMetas } from './store.ts';
@@ -13,8 +13,8 @@ export interface Startup {
 }
 
 /** Puts the last work back at once, so that the first picture has its theme and panel. */
-export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
-  const autosave = new Autosave(app, browserStorage, systemMetas, toolIds);
+export function prepareStartup(app: App, toolIds: readonly string[], storage: BrowserStorage): Startup {
+  const autosave = new Autosave(app, storage, systemMetas, toolIds);
   // An own system is read first, which takes what is not loaded yet.
   const own = autosave.descriptions;
   let last = own.length > 0 ? null : autosave.restore();
@@ -37,7 +37,7 @@ export function prepareStartup(app: App, toolIds: readonly string[]): Startup {
       });
       void autosave.reopenMeshes();
       void import('./persistence/keptRuns.ts').then(
-        ({ keepRuns }) => keepRuns(app, browserStorage, systemViews),
+        ({ keepRuns }) => keepRuns(app, storage, systemViews),
         () => {},
       );
       const file = new URLSearchParams(location.search).get('file');

@@ -24,7 +24,7 @@ test('until the first moving frame nothing is loaded that is not counted', async
   // The service worker is registered a second after the run, before or after the first moving frame.
   // What the next run takes is loaded after the first has ended: on a slow machine perhaps before its motion is seen.
   const first = firstView(chunks);
-  const NEXT = /simulation\/everyMotion\.ts$|ripstik\/accelerations\.generated\.json$/;
+  const NEXT = /simulation\/(?:everyMotion|trust)\.ts$|ripstik\/accelerations\.generated\.json$/;
   const holders = Object.keys(chunks).filter((file) =>
     Object.keys(chunks[file]!.modules).some((one) => NEXT.test(one)),
   );

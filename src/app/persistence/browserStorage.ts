@@ -59,6 +59,15 @@ export const browserStorage: BrowserStorage = {
   },
 };
 
+/** Finds nothing and keeps nothing. */
+export const nothingStored: BrowserStorage = {
+  text: () => null,
+  putText: () => null,
+  large: () => Promise.resolve(undefined),
+  putLarge: () => Promise.resolve(null),
+  clear: () => Promise.resolve(null),
+};
+
 /** One transaction, done when it is on disk. */
 async function within(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest): Promise<unknown> {
   const database = await open();

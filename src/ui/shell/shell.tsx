@@ -87,7 +87,7 @@ function Help({ onForget }: { onForget: ShellProps['onForget'] | undefined }) {
   return useUi().app.state.dialog.value === 'keys' ? <HelpDialog onForget={onForget} /> : null;
 }
 
-function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneText'>) {
+export function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneText'>) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => onCanvas(canvas.current!), []);
   return (
@@ -100,7 +100,7 @@ function Canvas({ onCanvas, sceneText }: Pick<ShellProps, 'onCanvas' | 'sceneTex
   );
 }
 
-function useTheme(app: App): void {
+export function useTheme(app: App): void {
   useSignalEffect(() => {
     const root = document.documentElement;
     root.dataset['theme'] = app.state.theme.value;

@@ -111,16 +111,13 @@ function isSparse(columns: ImportPlan['columns'], { rows, decimal }: Layout): bo
   const needed = columns.filter((c) => c.role === 'coordinate' || c.role === 'rate' || c.role === 'attitude');
   const there = (row: readonly string[], index: number): boolean =>
     formOf(row[index] ?? '', decimal === ',') === 'number';
-  const whole = rows.filter((row) => needed.every((c) => there(row, c.index))).length;
-  return (
-    needed.length > 1 &&
-    rows.length >= 10 &&
-    whole < SPARSE * rows.length &&
-    needed.every(({ index }) => {
-      const filled = rows.filter((row) => !isMissing(row[index] ?? ''));
-      return filled.length >= 3 && filled.every((row) => there(row, index));
-    })
-  );
+  if (needed.length < 2 || rows.length < 10) return false;
+  let whole = 0;
+  for (const row of rows) if (needed.every((c) => there(row, c.index)) && ++whole >= SPARSE * rows.length) return false;
+  return needed.every(({ index }) => {
+    const filled = rows.filter((row) => !isMissing(row[index] ?? ''));
+    return filled.length >= 3 && filled.every((row) => there(row, index));
+  });
 }
 
 /** What the first rows leave open. */
@@ -129,7 +126,8 @@ function questionsOf(plan: ImportPlan, layout: Layout, known: boolean): Question
   const comma = plan.decimal === ',';
   const { only } = plan;
   const rows = only ? layout.rows.filter((row) => (row[only.column] ?? '').trim() === only.value) : layout.rows;
-  const numbers = (index: number): number[] => rows.map((row) => readNumber(row[index] ?? '', comma));
+  const numbers = (index: number): Float64Array =>
+    Float64Array.from(rows, (row) => readNumber(row[index] ?? '', comma));
   const unsaid = plan.columns
     .filter((c) => c.role === 'coordinate' && c.unit === '' && c.unitFrom === 'none')
     .map((c) => ({ name: c.name!, kind: c.kind as 'length' | 'angle', data: numbers(c.index) }));
@@ -137,7 +135,7 @@ function questionsOf(plan: ImportPlan, layout: Layout, known: boolean): Question
   const t =
     time !== undefined && (plan.time.form === 'number' || plan.time.form === 'epoch')
       ? numbers(time).map((x) => x * plan.time.factor)
-      : rows.map((_, i) => i * (plan.time.step ?? 0.01));
+      : Float64Array.from(rows, (_, i) => i * (plan.time.step ?? 0.01));
   return doubtsOf(unsaid, t);
 }
 

@@ -47,13 +47,12 @@ async function readFile(
     preferred,
     ...(timeStep === undefined ? {} : { timeStep }),
     ...(choices ? { choices, data: true } : {}),
-    after: async (bytes, rows) => {
+    after: (bytes, rows) => {
       if (bytes - reported < REPORT_EVERY) return signal.aborted;
       reported = bytes;
       // Unpacked there may be more of it than the file's size.
       emit({ share: Math.min(1, bytes / file.size), rows });
-      await new Promise((resume) => setTimeout(resume));
-      return signal.aborted;
+      return new Promise<boolean>((resume) => setTimeout(() => resume(signal.aborted)));
     },
   });
 }

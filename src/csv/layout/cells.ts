@@ -37,9 +37,10 @@ export type CellForm = 'number' | 'time' | 'missing' | 'text';
 
 export function formOf(cell: string, decimalComma: boolean): CellForm {
   if (cell.length > LONGEST) return 'text';
+  // Nearly every cell is a number, and no number is missing.
+  if (!Number.isNaN(readNumber(cell, decimalComma)) && cell.trim() !== '') return 'number';
   const text = cell.trim();
   if (isMissing(text)) return 'missing';
-  if (!Number.isNaN(readNumber(text, decimalComma))) return 'number';
   if (moment(text) !== null) return 'time';
   return 'text';
 }

@@ -31,8 +31,12 @@ function parted(cell: string): { number: string; unit: string } | null {
   return match && isUnit(match[2]!) ? { number: match[1]!, unit: match[2]! } : null;
 }
 
+/** A number with digits and a point alone, as nearly all are. */
+const isPlain = (cell: string): boolean => Number.isFinite(+cell);
+
 /** For counting what separates: a cell's number alone. */
 export function numberIn(cell: string): string {
+  if (isPlain(cell)) return cell;
   const plain = bare(cell);
   return parted(plain)?.number ?? plain;
 }
@@ -48,6 +52,7 @@ export function dressOf(
   decimalComma: boolean,
 ): Dress | null {
   const cells = rows.flat().filter((cell) => cell.trim() !== '');
+  if (cells.every((cell) => isPlain(cell))) return null;
   const text = cells.filter((cell) => TEXT.test(cell.trim())).length > cells.length / 2;
   const plain = text ? rows.map((row) => row.map(bare)) : rows;
   const width = Math.max(0, ...plain.map((row) => row.length));

@@ -51,7 +51,7 @@ const MOST_ROWS = 1000;
 /** Lines that may stand between the header and the first whole row. */
 const REACH = 60;
 /** Rows by which it is seen what stands around numbers. */
-const MOST_DRESSED = 200;
+const MOST_DRESSED = 100;
 
 /**
  * @param text whole lines of a file's beginning

@@ -37,7 +37,9 @@ export function lineFormOf(lines: readonly string[]): LineForm {
     const pairs = pairsOf(line);
     return pairs !== null && pairs.length >= 2 && pairs.every(([, value]) => NUMBER.test(value));
   };
-  return lines.length > 1 && share(labelled) > MOST ? 'labelled' : 'plain';
+  return lines.length > 1 && deciding.some((line) => /[:=]/.test(line)) && share(labelled) > MOST
+    ? 'labelled'
+    : 'plain';
 }
 
 /** Names of a labelled file, from its first lines: a value may be missing in one. */

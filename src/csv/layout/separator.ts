@@ -39,6 +39,8 @@ export function marksOf(lines: readonly string[], choices: ImportChoices): Marks
     const share = cells.length > 0 ? numbers / cells.length : 0;
     if (!best || share > best.share || (share === best.share && cells.length > best.cells && separator !== 'blanks'))
       best = { separator, decimal, share, cells: cells.length };
+    // Whole numbers in every cell: no other mark can be inside them.
+    if (share === 1 && cells.length > deciding.length) break;
   }
   const { separator, decimal } = best!;
   return { separator, decimal };

@@ -1,3 +1,5 @@
+import { remembered } from './remembered.ts';
+
 const GREEK: Record<string, string> = {
   α: 'alpha',
   β: 'beta',
@@ -11,16 +13,16 @@ const GREEK: Record<string, string> = {
 };
 
 /** `alpha_fp`, `ALPHA-FP`, `alphaFp` and `α_fp` are one name; a dot above is `_dot`. */
-export function plainName(name: string): string {
-  return name
+export const plainName = remembered((name) =>
+  name
     .normalize('NFD')
     .toLowerCase()
     .replace(/[αβψθϑφϕλτ]/g, (letter) => GREEK[letter]!)
     .replace(/^([a-z]+)\u0307/, '$1dot')
     .replace(/[\u0300-\u036f]/g, '')
     .replace(/^(['"])(.*)\1$/, '$2')
-    .replace(/[\s_-]+/g, '');
-}
+    .replace(/[\s_-]+/g, ''),
+);
 
 /** `x/value`, `x.position`: the last word says what a coordinate is anyhow. Null where there is none. */
 export function withoutSuffix(name: string): string | null {
@@ -43,10 +45,9 @@ const RATES: readonly RegExp[] = [
 ];
 
 /** What a name may be the rate of, the likeliest first. */
-export function ratesOf(name: string): string[] {
-  if (name.length > 60) return [];
-  return RATES.flatMap((pattern) => pattern.exec(name)?.[1] ?? []);
-}
+export const ratesOf = remembered((name): readonly string[] =>
+  name.length > 60 ? [] : RATES.flatMap((pattern) => pattern.exec(name)?.[1] ?? []),
+);
 
 /** The name behind a common prefix: `board.alpha`, `/ripstik/alpha`, `board:X`, `board X`. */
 export function withoutPrefix(name: string): string | null {

@@ -19,6 +19,8 @@ export interface Vocabulary {
   aliases: ReadonlyMap<string, Word>;
   /** How many coordinates there are. */
   coordinates: number;
+  /** What titles were found to mean: a header is looked at again and again until it is understood. */
+  found: Map<string, Hit | null>;
 }
 
 export interface Hit {
@@ -146,6 +148,7 @@ const POSITIONS = [
   'loc',
 ];
 
+const MOST_FOUND = 1000;
 const known = new WeakMap<SystemMeta, Vocabulary>();
 
 export function vocabularyOf(meta: SystemMeta): Vocabulary {
@@ -182,15 +185,21 @@ export function vocabularyOf(meta: SystemMeta): Vocabulary {
           add(`${position}${open}${'xyz'.indexOf(q.name.toLowerCase())}${close}`, q.name, 'length', true, aliases);
       if (position.length > 1) add(q.name + position, q.name, 'length', true, aliases);
     }
-  const made = { words, aliases, coordinates: meta.coordinates.length };
+  const made = { words, aliases, coordinates: meta.coordinates.length, found: new Map() };
   known.set(meta, made);
   return made;
 }
 
 /** What a title means in a system, or null. */
 export function lookUp(title: string, vocabulary: Vocabulary): Hit | null {
+  const { found } = vocabulary;
+  const known = found.get(title);
+  if (known !== undefined) return known;
   const { name, unit } = splitTitle(title);
-  return named(name, unit, vocabulary, 0);
+  const hit = named(name, unit, vocabulary, 0);
+  if (found.size >= MOST_FOUND) found.clear();
+  found.set(title, hit);
+  return hit;
 }
 
 function named(name: string, unit: string, vocabulary: Vocabulary, rank: number): Hit | null {
@@ -224,7 +233,7 @@ function named(name: string, unit: string, vocabulary: Vocabulary, rank: number)
 export function namesColumns(cells: readonly string[], systems: Systems): number {
   const titles = cells
     .map((cell) => cell.trim())
-    .filter((cell) => cell !== '' && cell.length < 80 && !/^[+-]?[\d.,]+$/.test(cell));
+    .filter((cell) => cell !== '' && cell.length < 80 && !/^[+-]?[\d.,]+(?:e[+-]?\d+)?$/i.test(cell));
   const times = titles.filter((title) => {
     const name = splitTitle(title).name;
     return timeRank(unitBehind(name)?.name ?? name) !== null || isDateName(name) || isFrameName(name);

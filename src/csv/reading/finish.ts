@@ -16,6 +16,7 @@ const EPOCHAL: ReadonlySet<TimeForm> = new Set([
   'date and clock',
   'compact clock',
   'clock',
+  'parts',
   'frame',
 ] as const);
 

@@ -44,10 +44,15 @@ export class RowStore {
   private readonly data: Float64Array[];
   private expected = 0;
   private readonly current: Float64Array;
+  /** Of each use, for lines of plain numbers. */
+  private readonly places: Int32Array;
+  private readonly factors: Float64Array;
   /** Rows of numbers seen, usable or not: time is counted over all of them. */
   private seen = 0;
   /** First rows and lines of stretches whose lines follow one another. */
   private readonly stretches: { row: number; line: number }[] = [];
+  /** Line of a row that would go on with the last stretch. */
+  private nextLine = -1;
 
   constructor(uses: readonly ColumnUse[], options: StoreOptions) {
     this.uses = uses;
@@ -55,6 +60,8 @@ export class RowStore {
     this.width = options.width;
     this.data = uses.map(() => new Float64Array(1024));
     this.current = new Float64Array(uses.length);
+    this.places = Int32Array.from(uses, (use) => use.index);
+    this.factors = Float64Array.from(uses, (use) => use.factor);
   }
 
   row(cells: readonly string[], line: number): void {
@@ -85,13 +92,13 @@ export class RowStore {
 
   /** A row with a finite number in every column of the file. */
   numbers(values: Float64Array, line: number): void {
-    const { uses, current } = this;
-    for (let c = 0; c < uses.length; c++) {
-      const { index, factor } = uses[c]!;
-      current[c] = index < 0 ? this.seen * this.options.step! : values[index]! * factor;
+    const { places, factors } = this;
+    const [data, row] = [this.data, this.place(line)];
+    for (let c = 0; c < places.length; c++) {
+      const place = places[c]!;
+      data[c]![row] = place < 0 ? this.seen * this.options.step! : values[place]! * factors[c]!;
     }
     this.seen++;
-    this.append(line);
   }
 
   /** Views into buffers that may be longer: a copy would take as much memory again. */
@@ -188,6 +195,13 @@ export class RowStore {
   }
 
   private append(line: number): void {
+    const { current, data } = this;
+    const row = this.place(line);
+    for (let c = 0; c < current.length; c++) data[c]![row] = current[c]!;
+  }
+
+  /** Room for one more row: its number. */
+  private place(line: number): number {
     if (this.rows === this.data[0]!.length) {
       const capacity = Math.max(2 * this.rows, Math.ceil(this.expected));
       // One column after another: never all of them twice.
@@ -197,10 +211,9 @@ export class RowStore {
         this.data[c] = grown;
       }
     }
-    const last = this.stretches.at(-1);
-    if (!last || last.line + this.rows - last.row !== line) this.stretches.push({ row: this.rows, line });
-    for (let c = 0; c < this.current.length; c++) this.data[c]![this.rows] = this.current[c]!;
-    this.rows++;
+    if (line !== this.nextLine) this.stretches.push({ row: this.rows, line });
+    this.nextLine = line + 1;
+    return this.rows++;
   }
 }
 

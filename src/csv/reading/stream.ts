@@ -39,11 +39,13 @@ export async function readStream(stream: Bytes, options: StreamOptions): Promise
   const reader = new CsvByteReader(options, opened.packed ? 0 : size);
   let [bytes, damage] = [0, ''];
   try {
-    for await (const piece of opened.pieces) {
+    for (let piece; (piece = await opened.pieces.next());) {
       reader.push(piece);
       bytes += piece.length;
-      if (reader.ended || (await after(bytes, reader.rows))) break;
+      const stop = reader.ended || after(bytes, reader.rows);
+      if (stop === true || (stop !== false && (await stop))) break;
     }
+    await opened.pieces.cancel();
   } catch (error) {
     if (!opened.packed) throw error;
     damage = 'the gzip archive is damaged or cut: what was before is read';
@@ -68,11 +70,11 @@ export async function understandStream(stream: Bytes, options: UnderstandOptions
   const parts: Uint8Array[] = [];
   let length = 0;
   try {
-    for await (const piece of opened.pieces) {
+    for (let piece; length < 2 * ENOUGH_TO_DECIDE && (piece = await opened.pieces.next());) {
       parts.push(piece);
       length += piece.length;
-      if (length >= 2 * ENOUGH_TO_DECIDE) break;
     }
+    await opened.pieces.cancel();
   } catch (error) {
     if (!opened.packed) throw error;
   }
@@ -93,8 +95,15 @@ export function scenarioIn(ending: Uint8Array): unknown {
   }
 }
 
+/** No generator: a large file has a thousand pieces. */
+interface Pieces {
+  /** The next piece, or undefined at the end. */
+  next(): Promise<Uint8Array<ArrayBuffer> | undefined>;
+  cancel(): Promise<void>;
+}
+
 interface Opened {
-  pieces: AsyncGenerator<Uint8Array>;
+  pieces: Pieces;
   packed: boolean;
   json: boolean;
 }
@@ -115,7 +124,7 @@ async function open(stream: Bytes): Promise<Opened> {
   try {
     return { ...(await open(unpacked(streamOf(whole), true))), packed };
   } catch (error) {
-    return { pieces: failing(error), packed, json: false };
+    return { pieces: { next: () => Promise.reject(error as Error), cancel: async () => {} }, packed, json: false };
   }
 }
 
@@ -127,45 +136,37 @@ function isJson(start: Uint8Array): boolean {
   return /^(?:\{\s*"|\[\s*[[{])/.test(text);
 }
 
-async function* piecesOf(
+function piecesOf(
   reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuffer>>,
-  first: readonly Uint8Array<ArrayBuffer>[],
-): AsyncGenerator<Uint8Array<ArrayBuffer>> {
-  try {
-    yield* first;
-    for (;;) {
-      const { value } = await reader.read();
-      if (!value) return;
-      yield value;
-    }
-  } finally {
-    await reader.cancel().catch(() => undefined);
-  }
+  first: Uint8Array<ArrayBuffer>[],
+): Pieces {
+  const rest = async (): Promise<Uint8Array<ArrayBuffer> | undefined> => (await reader.read()).value;
+  return {
+    next: () => (first.length > 0 ? Promise.resolve(first.shift()) : rest()),
+    cancel: () => reader.cancel().catch(() => undefined),
+  };
 }
 
-async function* failing(error: unknown): AsyncGenerator<Uint8Array> {
-  throw await Promise.resolve(error);
-}
-
-function streamOf(pieces: AsyncGenerator<Uint8Array<ArrayBuffer>>): Bytes {
+function streamOf(pieces: Pieces): Bytes {
   return new ReadableStream({
     async pull(controller) {
-      const { value, done } = await pieces.next();
-      if (done) controller.close();
-      else controller.enqueue(value);
+      const piece = await pieces.next();
+      if (piece) controller.enqueue(piece);
+      else controller.close();
     },
-    async cancel() {
-      await pieces.return(undefined);
-    },
+    cancel: () => pieces.cancel(),
   });
 }
 
-async function textOf(pieces: AsyncGenerator<Uint8Array>, most: number): Promise<string | null> {
+async function textOf(pieces: Pieces, most: number): Promise<string | null> {
   const decoder = new TextDecoder();
   let [text, length] = ['', 0];
-  for await (const piece of pieces) {
+  for (let piece; (piece = await pieces.next());) {
     length += piece.length;
-    if (length > most) return null;
+    if (length > most) {
+      await pieces.cancel();
+      return null;
+    }
     text += decoder.decode(piece, { stream: true });
   }
   return text + decoder.decode();

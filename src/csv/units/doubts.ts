@@ -4,7 +4,7 @@ import type { Question } from '../plan.ts';
 export interface Unsaid {
   name: string;
   kind: 'length' | 'angle';
-  data: ArrayLike<number>;
+  data: Float64Array;
 }
 
 /** Wheels turn on and on: their angles are large in radians too. */
@@ -22,7 +22,7 @@ const FARTHEST = 20;
  * Angles and lengths without a unit are radians and metres; where their numbers look like degrees or millimetres, that
  * is asked. A heading that follows the path decides by itself: turned along it, its numbers are radians, or 57 times so.
  */
-export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Question[] {
+export function doubtsOf(columns: readonly Unsaid[], t: Float64Array): Question[] {
   const questions: Question[] = [];
   const angles = columns.filter(({ kind, name }) => kind === 'angle' && !SPINS.test(name));
   const position = (axis: RegExp): Unsaid | undefined =>
@@ -34,7 +34,7 @@ export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Ques
   const inDegrees = ratio !== null && ratio > 0.4 / 57.3 && ratio < 2.5 / 57.3;
   const large = angles.filter((angle) => {
     if (angle === heading && inRadians) return false;
-    const size = largest(angle.data);
+    const size = extent(angle.data).largest;
     if (size > 2 * 360 * 20) return false;
     return size > HALF_TURN || (size > UPSIDE_DOWN && swings(angle.data));
   });
@@ -42,7 +42,7 @@ export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Ques
     const shown = large[0] ?? heading!;
     questions.push({
       id: 'degrees',
-      text: `The angles have no unit, and ${shown.name} reaches ${+largest(shown.data).toPrecision(4)}: are these degrees?`,
+      text: `The angles have no unit, and ${shown.name} reaches ${+extent(shown.data).largest.toPrecision(4)}: are these degrees?`,
       answers: [
         { label: 'radians', choices: { angles: 'rad' } },
         { label: 'degrees', choices: { angles: 'deg' } },
@@ -53,8 +53,8 @@ export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Ques
   }
   if (x && y) {
     const speed = typicalSpeed(x.data, y.data, t);
-    const far = Math.max(range(x.data), range(y.data));
-    if (speed > FASTEST && far > FARTHEST)
+    const far = (): number => Math.max(extent(x.data).range, extent(y.data).range);
+    if (speed > FASTEST && far() > FARTHEST)
       questions.push({
         id: 'lengths',
         text: `The lengths have no unit, and metres would make it ${+speed.toPrecision(3)} m/s fast: are these millimetres?`,
@@ -70,40 +70,41 @@ export function doubtsOf(columns: readonly Unsaid[], t: ArrayLike<number>): Ques
   return questions;
 }
 
-function largest(data: ArrayLike<number>): number {
-  let most = 0;
-  for (let i = 0; i < data.length; i++) if (Math.abs(data[i]!) > most) most = Math.abs(data[i]!);
-  return most;
-}
-
-function range(data: ArrayLike<number>): number {
+/** Largest size, and the way from the least to the most. */
+function extent(data: Float64Array): { largest: number; range: number } {
   let [low, high] = [Infinity, -Infinity];
   for (let i = 0; i < data.length; i++) {
-    if (data[i]! < low) low = data[i]!;
-    if (data[i]! > high) high = data[i]!;
+    const x = data[i]!;
+    if (x < low) low = x;
+    if (x > high) high = x;
   }
-  return high - low;
+  return { largest: Math.max(0, -low, high), range: high - low };
 }
 
 /** Whether a column goes to and fro: its way is longer than twice its range. */
-function swings(data: ArrayLike<number>): boolean {
+function swings(data: Float64Array): boolean {
   let way = 0;
   for (let i = 1; i < data.length; i++) {
     const step = Math.abs(data[i]! - data[i - 1]!);
     if (step - step === 0) way += step;
   }
-  return way > 2 * range(data);
+  return way > 2 * extent(data).range;
 }
 
+/** Rows of a path that are looked at: hundreds for each of its pieces. */
+const MOST_POINTS = 20000;
+
 /** Turning of the path per unit of turning of the heading (least squares), or null where too little turns or moves. */
-function headingRatio(x: ArrayLike<number>, y: ArrayLike<number>, heading: ArrayLike<number>): number | null {
+function headingRatio(x: Float64Array, y: Float64Array, heading: Float64Array): number | null {
   // Points a hundredth of the path apart: noise turns short pieces anyhow.
-  const far = Math.hypot(range(x), range(y)) / 100;
+  const far = Math.hypot(extent(x).range, extent(y).range) / 100;
   if (!(far > 0)) return null;
+  const stride = Math.max(1, Math.floor(x.length / MOST_POINTS));
   let [last, turned, product, square, pieces] = [0, NaN, 0, 0, 0];
   let before = 0;
-  for (let i = 1; i < x.length; i++) {
-    const [dx, dy] = [x[i]! - x[last]!, y[i]! - y[last]!];
+  for (let i = stride; i < x.length; i += stride) {
+    const dx = x[i]! - x[last]!;
+    const dy = y[i]! - y[last]!;
     if (!(dx * dx + dy * dy >= far * far)) continue;
     const direction = Math.atan2(dy, dx);
     const middle = heading[(i + last) >> 1]!;
@@ -120,7 +121,7 @@ function headingRatio(x: ArrayLike<number>, y: ArrayLike<number>, heading: Array
   return pieces >= 5 && square > 1e-4 ? product / square : null;
 }
 
-function typicalSpeed(x: ArrayLike<number>, y: ArrayLike<number>, t: ArrayLike<number>): number {
+function typicalSpeed(x: Float64Array, y: Float64Array, t: Float64Array): number {
   const speeds: number[] = [];
   const stride = Math.max(1, Math.floor(x.length / 2000));
   for (let i = 1; i < x.length; i += stride) {

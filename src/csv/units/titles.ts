@@ -1,3 +1,4 @@
+import { remembered } from '../names/remembered.ts';
 import { isUnit } from './units.ts';
 
 /** No longer title is a name with a unit; the patterns would take long over it. */
@@ -36,13 +37,14 @@ export function unitBehind(name: string): Title | null {
 }
 
 /** Every way to part a name from a unit behind it: `v/m/s` and `v_x_mm/s` have two. */
-export function unitsBehind(name: string): Title[] {
-  if (name.length > LONGEST_TITLE) return [];
-  return [/^([^/]+)\s*[/:]\s*([^:]+)$/, BEHIND, LAST_WORD].flatMap((pattern) => {
-    const match = pattern.exec(name);
-    return match && isUnit(match[2]!) ? [{ name: match[1]!.trim(), unit: match[2]!.trim() }] : [];
-  });
-}
+export const unitsBehind = remembered((name): readonly Title[] =>
+  name.length > LONGEST_TITLE
+    ? []
+    : [/^([^/]+)\s*[/:]\s*([^:]+)$/, BEHIND, LAST_WORD].flatMap((pattern) => {
+        const match = pattern.exec(name);
+        return match && isUnit(match[2]!) ? [{ name: match[1]!.trim(), unit: match[2]!.trim() }] : [];
+      }),
+);
 
 /** A title on one line that a message can hold. */
 export function shortened(title: string): string {

@@ -1,3 +1,5 @@
+import { remembered } from '../names/remembered.ts';
+
 /** What a column measures; decides which units it may have. */
 export type Kind = 'time' | 'length' | 'angle' | 'length rate' | 'angle rate' | 'plain';
 
@@ -108,7 +110,9 @@ const WORDS = new Map([
   ...words('h', 'ч час godziny horas heures ore uren 时 時 小时'),
 ]);
 
-function spelledPlainly(unit: string): string {
+const spelledPlainly = remembered(spelledOut);
+
+function spelledOut(unit: string): string {
   return (
     unit
       .trim()
@@ -142,6 +146,7 @@ function spelledPlainly(unit: string): string {
 
 /** Whether text is the unit of anything. */
 export function isUnit(text: string): boolean {
+  if (text.length > 40) return false;
   const plain = spelledPlainly(text.replace(/^[[({<](.*)[\])}>]$/, '$1'));
   if (plain === '' || plain.length > 12) return false;
   if (OTHERS.has(plain)) return true;

@@ -2,7 +2,8 @@ import loadMujoco, { type MjData, type MjModel } from 'mujoco-js';
 
 /**
  * The board in MuJoCo's own WebAssembly build (Todorov, Erez, Tassa, "MuJoCo: a physics engine for model-based
- * control", IROS 2012): the same five bodies with explicit inertias, no geoms, contacts and constraints disabled.
+ * control", IROS 2012): the same five bodies with explicit inertias, no geoms, contacts and constraints disabled; a sixth,
+ * the rider, where `p` has one. Its hinge is on the rod there, and turns by `beta - alpha`: the same axis.
  */
 
 /** How the rod's six degrees of freedom are given to MuJoCo: `hinges` has our own coordinates, `free` a quaternion. */
@@ -11,8 +12,10 @@ export type RootJoint = 'hinges' | 'free';
 /** Place of our coordinates among MuJoCo's with hinges: X Y Z theta psi alpha, front plate and caster, back ones. */
 const PLACE = [0, 1, 2, 5, 4, 3, 6, 8, 7, 9] as const;
 const n = PLACE.length;
+/** Places of the rod's roll and of the rider's hinge in both orders. */
+const [ALPHA, RIDER] = [3, n] as const;
 
-/** The board as MJCF; `p` by name as in the system's meta. Without springs, damping and drag. */
+/** The board as MJCF, with its rider where `p` has one; `p` by name as in the system's meta. Without springs, damping and drag. */
 export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): string {
   const { rodMass, rodLength, rodRadius, plateMass, plateLength, plateWidth, plateThickness, plateOffset } =
     p as Record<string, number>;
@@ -42,6 +45,14 @@ export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): 
           <joint type="hinge" axis="0 0 1"/>${caster}
         </body>
       </body>`;
+  const rider =
+    p.riderMass === undefined
+      ? ''
+      : `<body name="rider"><joint type="hinge" axis="1 0 0"/>${inertial(
+          p.riderMass,
+          [0, 0, p.riderHeight!],
+          [p.riderIxx!, p.riderIyy!, p.riderIzz!],
+        )}</body>`;
   const axes = ['1 0 0', '0 1 0', '0 0 1'];
   const hinges = [
     ...axes.map((axis) => `<joint type="slide" axis="${axis}"/>`),
@@ -51,7 +62,7 @@ export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): 
   <compiler angle="radian"/>
   <option gravity="0 0 ${-gravity!}"><flag contact="disable" constraint="disable"/></option>
   <worldbody>
-    <body name="rod">${root === 'free' ? '<freejoint/>' : hinges.join('')}${rod}${half('front', 1)}${half('back', -1)}
+    <body name="rod">${root === 'free' ? '<freejoint/>' : hinges.join('')}${rod}${half('front', 1)}${half('back', -1)}${rider}
     </body>
   </worldbody>
 </mujoco>`;
@@ -66,6 +77,9 @@ export class MujocoBoard {
   private readonly qpos: Float64Array;
   private readonly qvel: Float64Array;
   private readonly qacc: Float64Array;
+  private readonly applied: Float64Array;
+  /** Degrees of freedom: 10, or 11 with a rider. */
+  private readonly count: number;
 
   private constructor(mujoco: Awaited<ReturnType<typeof loadMujoco>>, xml: string) {
     this.mujoco = mujoco;
@@ -77,27 +91,43 @@ export class MujocoBoard {
     this.qpos = this.data.qpos as Float64Array;
     this.qvel = this.data.qvel as Float64Array;
     this.qacc = this.data.qacc as Float64Array;
+    this.applied = this.data.qfrc_applied as Float64Array;
+    this.count = this.qvel.length;
   }
 
   static async load(p: Readonly<Record<string, number>>, root: RootJoint): Promise<MujocoBoard> {
     return new MujocoBoard(await loadMujoco(), boardXml(p, root));
   }
 
-  /** Our q (10) as MuJoCo's positions: 10 with hinges, 11 with a free joint. */
+  /** Our q as MuJoCo's positions: as many with hinges, one more with a free joint. */
   positionsOf(q: Float64Array): Float64Array {
-    const own = new Float64Array(n);
-    for (let i = 0; i < n; i++) own[PLACE[i]!] = q[i]!;
-    return this.qpos.length === n
+    const own = this.placed(q);
+    return this.qpos.length === this.count
       ? own
       : Float64Array.of(...own.subarray(0, 3), ...attitude(q[3]!, q[4]!, q[5]!), ...own.subarray(6));
   }
 
-  /** Our v (10) as MuJoCo's velocities; with a free joint the rod's angular velocity in its own axes. */
+  /** Our v as MuJoCo's velocities; with a free joint the rod's angular velocity in its own axes. */
   velocitiesOf(q: Float64Array, v: Float64Array): Float64Array {
-    const own = new Float64Array(n);
-    for (let i = 0; i < n; i++) own[PLACE[i]!] = v[i]!;
-    if (this.qpos.length > n) own.set(bodyRates(q, v), 3);
+    const own = this.placed(v);
+    if (this.qpos.length > this.count) own.set(bodyRates(q, v), 3);
     return own;
+  }
+
+  private placed(x: Float64Array): Float64Array {
+    const own = new Float64Array(this.count);
+    for (let i = 0; i < n; i++) own[PLACE[i]!] = x[i]!;
+    if (this.count > n) own[RIDER] = x[RIDER]! - x[ALPHA]!;
+    return own;
+  }
+
+  /** With hinges: generalized forces on our coordinates, for the next `forward`. */
+  apply(force: Float64Array): void {
+    for (let i = 0; i < n; i++) this.applied[PLACE[i]!] = force[i]!;
+    if (this.count === n) return;
+    // beta = alpha + the hinge's angle: what acts on beta acts on both.
+    this.applied[RIDER] = force[RIDER]!;
+    this.applied[PLACE[ALPHA]]! += force[RIDER]!;
   }
 
   /** `mj_forward` at MuJoCo's own positions and velocities. */
@@ -112,9 +142,10 @@ export class MujocoBoard {
     return this.qacc[i]!;
   }
 
-  /** With hinges: the acceleration of the last `forward` in our order, into `a` (10). */
+  /** With hinges: the acceleration of the last `forward` in our order, into `a`. */
   acceleration(a: Float64Array): void {
     for (let i = 0; i < n; i++) a[i] = this.qacc[PLACE[i]!]!;
+    if (this.count > n) a[RIDER] = this.qacc[RIDER]! + a[ALPHA]!;
   }
 
   /** What one call into the module costs without any work: to know how much of a time is the border. */

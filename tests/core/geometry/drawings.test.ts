@@ -229,6 +229,17 @@ describe('what is shown is what is simulated', () => {
     }
   });
 
+  test('the upper body that leans sits on the saddle, whatever the height of its hinge', () => {
+    for (const hingeZ of [-1.011, -0.6]) {
+      const body = boundsOf('bicycle-rider', { hingeZ }, 'rider', 'rider');
+      // From the axis: up to the shoulders, and down to the hips around the saddle.
+      const saddle = boundsOf('bicycle-rider', { hingeZ }, 'rear-frame', 'saddle');
+      const p: Record<string, number> = { ...defaults(systemViews['bicycle-rider']!.meta), hingeZ };
+      const onFrame = body.min.z - hingeZ - p['rearRadius']!;
+      expect(Math.abs(onFrame - saddle.max.z)).toBeLessThan(0.1);
+    }
+  });
+
   test('one mark of the scale is the height 1, one is 0', () => {
     const { min, max } = boundsOf('stiff-decay', {}, 'scale', 'marks');
     expect([min.z, max.z]).toEqual([expect.closeTo(-1, 1), expect.closeTo(1, 1)]);

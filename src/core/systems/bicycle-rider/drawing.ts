@@ -1,4 +1,4 @@
-import { type Sketch, sizeOf, type Value } from '../../geometry/drawing.ts';
+import type { Sketch, Value } from '../../geometry/drawing.ts';
 import { drawLeaning } from '../bicycle/drawing.ts';
 
 /**
@@ -6,4 +6,4 @@ import { drawLeaning } from '../bicycle/drawing.ts';
  *
  * @param p parameters by name, SI
  */
-export const draw = (p: Value): Sketch => drawLeaning(p, -sizeOf(p('hingeZ', -1.011)));
+export const draw = (p: Value): Sketch => drawLeaning(p, -p('hingeZ', -1.011));

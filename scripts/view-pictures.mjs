@@ -1,5 +1,5 @@
-// npm run pictures -- views [name …]: every main view of the built page, light and dark, desk and phone, as
-// docs/pictures/views/<view>-<desk or phone>-<theme>.webp, listed in docs/pictures/README.md. Tools are those of the page.
+// npm run pictures -- views [name …]: every main view of the built page, light and dark, at four sizes, as
+// docs/pictures/views/<view>-<size>-<theme>.webp, listed in docs/pictures/README.md. Tools are those of the page.
 /* global window, document, setTimeout -- functions given to the page run there */
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { Buffer } from 'node:buffer';
@@ -7,7 +7,14 @@ import { join } from 'node:path';
 import { webp } from './case-pictures.mjs';
 import { root } from './setup.mjs';
 
-const SIZES = { desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
+const SIZES = {
+  desk: { width: 1440, height: 900 },
+  laptop: { width: 1024, height: 768 },
+  tablet: { width: 820, height: 1180 },
+  phone: { width: 390, height: 844 },
+};
+/** Sizes at which the panels are tabs below the scene. */
+const TABBED = ['tablet', 'phone'];
 const THEMES = ['light', 'dark'];
 const QUALITY = 0.62;
 /** What stands on the stage: a case that every tool has something to say about, at a moment of it (s). */
@@ -26,7 +33,7 @@ export async function viewPictures(browser, address, wanted) {
         viewport: size,
         colorScheme: theme,
         reducedMotion: 'reduce',
-        hasTouch: form === 'phone',
+        hasTouch: TABBED.includes(form),
         locale: 'en-US',
         timezoneId: 'UTC',
         bypassCSP: true,
@@ -61,7 +68,7 @@ export async function viewPictures(browser, address, wanted) {
 async function viewsOf(page, form) {
   const click = (testId) => () => page.click(id(testId));
   const escape = () => page.keyboard.press('Escape');
-  const tabs = form === 'phone';
+  const tabs = TABBED.includes(form);
   const tools = await page.evaluate(
     (prefix) =>
       [...document.querySelectorAll(`[data-testid^="${prefix}-"]`)]
@@ -169,7 +176,7 @@ async function quiet(page) {
 
 function list() {
   const files = readdirSync(join(root, 'docs/pictures/views')).filter((name) => name.endsWith('.webp'));
-  const views = [...new Set(files.map((name) => name.replace(/-(desk|phone)-(light|dark)\.webp$/, '')))];
+  const views = [...new Set(files.map((name) => name.replace(/-[a-z]+-(light|dark)\.webp$/, '')))];
   const cell = (view, form, theme) => {
     const name = `${view}-${form}-${theme}.webp`;
     return files.includes(name) ? `[${theme}](views/${name})` : '';
@@ -191,8 +198,10 @@ function list() {
       '',
       'Drawn by the program from the built page: `npm run pictures` makes those beside this page, `npm run pictures -- views` the main views below and this list, `npm run pictures -- cases` the scenes of [the cases](../cases.md).',
       '',
-      '| view | desk, 1280 × 800 | phone, 390 × 844 |',
-      '|---|---|---|',
+      `| view | ${Object.entries(SIZES)
+        .map(([form, { width, height }]) => `${form}, ${width} × ${height}`)
+        .join(' | ')} |`,
+      '|---|---|---|---|---|',
       ...rows,
       '',
     ].join('\n'),

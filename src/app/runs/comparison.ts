@@ -1,3 +1,4 @@
+import { systemViews } from '../../core/systems/registry.ts';
 import { signal, type ReadonlySignal } from '@preact/signals';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { MethodOptions, Scenario, ScenarioFile } from '../../core/scenario/types.ts';
@@ -110,6 +111,7 @@ export class Comparison {
           1024,
           Math.floor(MOST_COMPARED / (columns.length * this.outcomes.peek().length)),
         );
+        trajectory.straight = systemViews[scenario.system]?.drawnAlong !== undefined;
         this.update(index, { state: 'computing', trajectory });
       },
       rows: (columns, rows, time, counts, seconds) => {

@@ -255,6 +255,7 @@ export class Runs {
             pushes,
             judgement: null,
           };
+          motion.trajectory.straight = motion.system.drawnAlong !== undefined;
           // What is typed on may be told at the next number.
           if (notes.length > 0 && !entry.live) messages.report('info', 'About the start', notes);
         },

@@ -62,7 +62,7 @@ export class ColumnValues {
 
   /** Its rate at the rows, where that is recorded and no whole turns lie between them: for what draws between rows. */
   get rate(): Float64Array | undefined {
-    return this.recipe || this.period > 0 ? undefined : this.trajectory.column(`${this.name}_dot`);
+    return this.recipe || this.period > 0 ? undefined : this.trajectory.rateOf(this.name);
   }
 
   /** Rows are missing: ask again. */
@@ -75,7 +75,7 @@ export class ColumnValues {
     const values = this.get();
     if (values.length === 0) return NaN;
     const { trajectory } = this;
-    const rate = this.recipe ? undefined : trajectory.column(`${this.name}_dot`);
+    const rate = this.recipe ? undefined : trajectory.rateOf(this.name);
     const row = rowAt(trajectory, time, values.length);
     const value = interpolate(trajectory.column('t')!, values, rate, row, time, this.period);
     return this.recipe && this.period > 0 ? halfTurn(value) : value;

@@ -103,8 +103,7 @@ export class MotionSampler {
     const next = Math.min(row + 1, trajectory.length - 1);
     const span = t[next]! - t[row]!;
     const share = span > 0 ? Math.min(1, Math.max(0, (time - t[row]!) / span)) : 0;
-    // What is drawn over time goes straight from row to row, as its path does.
-    if (trajectory.recorded || this.along) {
+    if (trajectory.recorded || trajectory.straight) {
       this.posesAt(row, this.before);
       this.posesAt(next, this.after);
       this.blend(share);
@@ -173,7 +172,7 @@ export class MotionSampler {
   private gather(): void {
     this.view.meta.coordinates.forEach(({ name }, i) => {
       this.coordinates[i] = this.trajectory.column(name)!;
-      this.rates[i] = this.trajectory.column(`${name}_dot`);
+      this.rates[i] = this.trajectory.rateOf(name);
     });
   }
 

@@ -14,7 +14,7 @@ export function resample(trajectory: Trajectory, name: string, times: Float64Arr
   const y = trajectory.column(name);
   if (!y || y.length === 0) return null;
   const t = trajectory.column('t')!;
-  const rate = trajectory.column(`${name}_dot`);
+  const rate = trajectory.rateOf(name);
   const last = y.length - 1;
   let row = 0;
   return times.map((time) => {
@@ -37,7 +37,7 @@ export function valueAt(trajectory: Trajectory, name: string, time: number, peri
   return interpolate(
     trajectory.column('t')!,
     y,
-    trajectory.column(`${name}_dot`),
+    trajectory.rateOf(name),
     rowAt(trajectory, time, y.length),
     time,
     period,

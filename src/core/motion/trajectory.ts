@@ -12,6 +12,8 @@ export class Trajectory {
   generation = 0;
   /** From a file, whose angles may jump by whole turns from row to row: the shorter way is taken between rows. */
   recorded = false;
+  /** Straight lines between rows, though rates are known: what a method has between two steps of a stiff equation is no more than that. */
+  straight = false;
   /** One row in so many is kept. */
   stride = 1;
   private data: Float64Array[];
@@ -47,6 +49,11 @@ export class Trajectory {
     made.data = [...data];
     made.count = made.seen = data[0]!.length;
     return made;
+  }
+
+  /** The rates of a column, for what bends between rows; undefined where they are not known, or not to be used. */
+  rateOf(name: string): Float64Array | undefined {
+    return this.straight ? undefined : this.column(`${name}_dot`);
   }
 
   get length(): number {

@@ -101,7 +101,7 @@ function overTime(
         rising: true,
         envelope,
         settled: trajectory.settled,
-        rate: trajectory.column(`${name}_dot`),
+        rate: trajectory.rateOf(name),
         loose: state === 'ended' && ABANDONED.has(reason),
       },
     ];

@@ -8,6 +8,7 @@ function euler(step: number, rows: number): Trajectory {
   const t = Float64Array.from({ length: rows }, (_, k) => k * step);
   const y = t.map((_, k) => (1 - 15 * step) ** k);
   const trajectory = new Trajectory(['t', 'y', 'y_dot'], rows);
+  trajectory.straight = true;
   trajectory.append([t, y, y.map((value) => -15 * value)], rows);
   return trajectory;
 }
@@ -20,6 +21,7 @@ test('the marker is at 2 m a second, and between two steps on the line that join
     const y = (-2.75) ** k + share * ((-2.75) ** (k + 1) - (-2.75) ** k);
     expect(sampler.poses[0]).toBeCloseTo(2 * time, 12);
     expect(sampler.poses[2]).toBeCloseTo(y, 10);
+    expect(sampler.interpolated('y', time)).toBeCloseTo(y, 10);
   }
   const [track] = sampler.tracks();
   expect(track!.count).toBe(5);

@@ -38,7 +38,7 @@ export const fileText = {
   loading: (name: string) => `loading ${name}`,
   refused: 'The file named in the address was not opened',
   sameOrigin: (what: string) => `\u201c${what}\u201d: only a path beside this page, such as data/ride.csv, is fetched`,
-  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt or .json file`,
+  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt, .json or .parquet file`,
   answered: (status: number) => `the server answered ${status}`,
   page: 'the server answered with a page, not a file',
   large: (mb: number) => `it is larger than the ${mb} MB this page reads`,

@@ -39,8 +39,9 @@ export interface Picture {
   /** A unit is as long on both axes. */
   equal?: boolean | undefined;
   marks: readonly Mark[];
-  /** A scale of colours at the right. */
-  bar?: { title?: Text; low: number; high: number; colour(share: number): string } | undefined;
+  /** A scale of colours at the right; with `names` a list of colours, the first at the top. */
+  bar?:
+    { title?: Text; low: number; high: number; colour(share: number): string; names?: readonly string[] } | undefined;
 }
 
 /** Part of a picture that is looked at. */
@@ -78,6 +79,8 @@ const TOP = 8;
 const TITLE = 18;
 const TICK = 18;
 const BAR = 72;
+/** Of a list of colours with their names, and of one of its lines, px. */
+const NAMES = { width: 132, line: 18, letters: 18 };
 /** Of the words beside the colours' scale, px. */
 const BAR_TITLE = 16;
 /** Of a number along x, and of a line of numbers along y, px. */
@@ -106,7 +109,7 @@ export function frameOf(
     return Math.max(0, ...scale.ticks(height / ROOM.y).map((tick) => widthOf(surface, words(scale.text(tick)))));
   };
   const left = Math.max(LEFT, 8 * Math.ceil((widest(yRange) + 10 + (y.title.length > 0 ? TITLE : 0)) / 8));
-  const width = Math.max(SMALLEST.width, size.width - left - RIGHT - (bar ? BAR + (bar.title ? BAR_TITLE : 0) : 0));
+  const width = Math.max(SMALLEST.width, size.width - left - RIGHT - (bar ? widthOfBar(bar) : 0));
   if (equal) {
     const perPixel = Math.max((xRange[1] - xRange[0]) / width, (yRange[1] - yRange[0]) / height);
     [xRange, yRange] = [around(xRange, (perPixel * width) / 2), around(yRange, (perPixel * height) / 2)];
@@ -171,7 +174,7 @@ export function paint(surface: Surface, frame: Frame, picture: Picture, theme: T
   if (under.length > 0) within(() => under.forEach((mark) => mark.draw(surface, frame, theme)));
   axes(surface, frame, picture, theme);
   within(() => over.forEach((mark) => mark.draw(surface, frame, theme)));
-  if (picture.bar) bar(surface, frame, picture.bar, theme);
+  if (picture.bar) (picture.bar.names ? nameList : bar)(surface, frame, picture.bar, theme);
   if (frame.span !== undefined) {
     surface.fillStyle = theme.ink;
     const said = texts.range(tickText(Number(frame.span.toPrecision(2))), picture.y.unit ?? '');
@@ -212,6 +215,26 @@ function axes(surface: Surface, frame: Frame, { x, y }: Picture, theme: Theme): 
 }
 
 /** The colours' scale: the numbers at its ends and between. */
+const widthOfBar = ({ title, names }: NonNullable<Picture['bar']>): number =>
+  names ? NAMES.width : BAR + (title ? BAR_TITLE : 0);
+
+/** The colours' names, one below the other. */
+function nameList(
+  surface: Surface,
+  frame: Frame,
+  { names = [], colour }: NonNullable<Picture['bar']>,
+  theme: Theme,
+): void {
+  const left = frame.left + frame.width + 14;
+  names.forEach((name, i) => {
+    const top = frame.top + i * NAMES.line;
+    surface.fillStyle = colour(names.length > 1 ? i / (names.length - 1) : 0);
+    surface.fillRect(left, top, 12, 12);
+    surface.fillStyle = theme.ink;
+    drawText(surface, words(short(name, NAMES.letters)), left + 17, top + 6);
+  });
+}
+
 function bar(
   surface: Surface,
   frame: Frame,

@@ -100,12 +100,14 @@ export function rangeOfValues(values: ArrayLike<number>): [number, number] {
  * A heat map over two axes of `steps`.
  * @param values by row, from the bottom; NaN where there is none
  * @param selected the cell that is marked
+ * @param colour of a value, and of its share 0 .. 1 between the smallest and the largest
  */
 export function cells(
   columns: number,
   rows: number,
   values: ArrayLike<number>,
   selected: number | null,
+  colour: (share: number, value: number) => string = scaleColour,
 ): Mark & { range: Range } {
   const [low, high] = rangeOfValues(values);
   const edges = (frame: Frame, c: number, r: number): [number, number, number, number] => {
@@ -120,7 +122,7 @@ export function cells(
       for (let r = 0; r < rows; r++)
         for (let c = 0; c < columns; c++) {
           const v = values[r * columns + c]!;
-          surface.fillStyle = v - v === 0 ? scaleColour(high > low ? (v - low) / (high - low) : 0.5) : theme.empty;
+          surface.fillStyle = v - v === 0 ? colour(high > low ? (v - low) / (high - low) : 0.5, v) : theme.empty;
           surface.fillRect(...edges(frame, c, r));
         }
       if (selected === null) return;
@@ -140,3 +142,9 @@ export function cells(
     },
   };
 }
+
+/** Of kinds that have no order, told apart with any colour vision and in both themes (M. Okabe, K. Ito). */
+const KINDS = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#f0e442', '#999999'] as const;
+
+/** Colour of a kind by its number from 0; the last one is that of all that follow. */
+export const kindColour = (kind: number): string => KINDS[Math.min(kind, KINDS.length - 1)]!;

@@ -10,6 +10,7 @@ export { gaits } from './gaits/manifest.tsx';
 export { methods } from './methods/manifest.tsx';
 export { tests } from './tests/manifest.tsx';
 export { trust } from './trust/manifest.tsx';
+export { study } from './study/manifest.tsx';
 export { compare } from './compare/manifest.tsx';
 export { file } from './file/manifest.tsx';
 export { importing } from './import/manifest.tsx';

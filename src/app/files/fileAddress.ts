@@ -1,4 +1,4 @@
-/** `?file=`: a CSV or scenario beside the page, fetched with progress. Loaded when an address asks for one. */
+/** `?file=`: a CSV, scenario or sweep's results beside the page, fetched with progress. Loaded when an address asks for one. */
 import { fileText as text } from '../words.ts';
 import type { App } from '../app.ts';
 
@@ -8,7 +8,7 @@ const LARGEST_FETCHED = 400e6;
 /**
  * The address that a `?file=` stands for.
  * @param page address of the page
- * @throws Error for anything but a relative path to a .csv, .txt or .json of the page's own origin
+ * @throws Error for anything but a relative path to a .csv, .txt, .json or .parquet of the page's own origin
  */
 export function fileAddress(file: string, page: string): URL {
   const shown = file.length > 80 ? `${file.slice(0, 79)}…` : file;
@@ -23,7 +23,7 @@ export function fileAddress(file: string, page: string): URL {
   }
   if (address.origin !== here.origin || address.username !== '' || address.password !== '')
     throw new Error(text.sameOrigin(shown));
-  if (!/\.(csv|txt|json)$/i.test(address.pathname)) throw new Error(text.ending(shown));
+  if (!/\.(csv|txt|json|parquet)$/i.test(address.pathname)) throw new Error(text.ending(shown));
   address.hash = '';
   return address;
 }

@@ -3,8 +3,8 @@
 /** Bytes that are looked at. */
 const LOOKED_AT = 4096;
 
-/** `system`: a description of one's own; `table`: anything else, the reader knows containers and says what to do with them. */
-export type FileKind = 'scenario' | 'system' | 'mesh' | 'table';
+/** `system`: a description of one's own; `study`: a Parquet file; `table`: anything else, the reader knows containers and says what to do with them. */
+export type FileKind = 'scenario' | 'system' | 'mesh' | 'study' | 'table';
 
 /**
  * `.mat` is a material of a mesh only as text: MATLAB's own files begin with its name, HDF5 or a binary header.
@@ -16,6 +16,7 @@ export async function kindOf(name: string, file: Blob): Promise<FileKind> {
   const start = new Uint8Array(await file.slice(0, LOOKED_AT).arrayBuffer());
   if (/\.mat$/i.test(name)) return isText(start) ? 'mesh' : 'table';
   const text = new TextDecoder().decode(start);
+  if (text.startsWith('PAR1')) return 'study';
   const braces = /^\s*\{/.test(text);
   if (braces && /"(?:system|version)"\s*:/.test(text)) return /\.(csv|txt|tsv)$/i.test(name) ? 'table' : 'scenario';
   return /\.json$/i.test(name) && !/^\s*[[{]/.test(text) ? 'scenario' : 'table';

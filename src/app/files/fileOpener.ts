@@ -132,12 +132,21 @@ export class FileOpener {
         throw new Error(
           `${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`,
         );
-      if (kind === 'system') await this.readSystem(name, await file.text());
+      if (kind === 'study') await this.readStudy(name, file);
+      else if (kind === 'system') await this.readSystem(name, await file.text());
       else if (isScenario) await this.readScenario(name, await file.text());
       else await this.readTable(name, file, choices);
     } catch (error) {
       this.fail(name, [messageOf(error)]);
     }
+  }
+
+  /** A sweep's results open beside the stage; what is on it stays. */
+  private async readStudy(name: string, file: Blob): Promise<void> {
+    const { files, settings, metas } = this.context;
+    const { readStudyFile } = await import('./studyFile.ts');
+    files.actions.setStudy(await readStudyFile(name, file, metas));
+    settings.actions.set('tool', 'study');
   }
 
   /** A description by itself: everything at its default. */

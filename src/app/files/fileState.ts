@@ -1,5 +1,6 @@
 /** Files on their way in and out, and the meshes that came with them. */
 import { signal, type ReadonlySignal } from '@preact/signals';
+import type { StudyResults } from '../../core/sweep/studyResults.ts';
 import type { ImportChoices, Question } from '../../csv/plan.ts';
 import { createEvent, readonly, type EventSource } from '../state/signals.ts';
 
@@ -38,6 +39,8 @@ export interface FileState {
   writing: ReadonlySignal<{ name: string; share: number } | null>;
   /** A file on its way from the server: 0 to 1, or null where its length is not known. */
   loading: ReadonlySignal<{ name: string; share: number | null } | null>;
+  /** The results of a sweep that were opened last. */
+  study: ReadonlySignal<StudyResults | null>;
   /** Meshes the person dropped. */
   meshes: ReadonlySignal<Meshes>;
 }
@@ -52,6 +55,7 @@ export interface FileActions {
   setReading: Setter<ValueOf<FileState['reading']>>;
   setWriting: Setter<ValueOf<FileState['writing']>>;
   setLoading: Setter<ValueOf<FileState['loading']>>;
+  setStudy: Setter<StudyResults | null>;
   setMeshes: Setter<Meshes>;
 }
 
@@ -68,6 +72,7 @@ export function createFileState(): FileSlice {
   const reading = signal<ValueOf<FileState['reading']>>(null);
   const writing = signal<ValueOf<FileState['writing']>>(null);
   const loading = signal<ValueOf<FileState['loading']>>(null);
+  const study = signal<StudyResults | null>(null);
   const meshes = signal<Meshes>(new Map());
   return {
     state: {
@@ -77,6 +82,7 @@ export function createFileState(): FileSlice {
       reading: readonly(reading),
       writing: readonly(writing),
       loading: readonly(loading),
+      study: readonly(study),
       meshes: readonly(meshes),
     },
     actions: {
@@ -86,6 +92,7 @@ export function createFileState(): FileSlice {
       setReading: (next) => void (reading.value = next),
       setWriting: (next) => void (writing.value = next),
       setLoading: (next) => void (loading.value = next),
+      setStudy: (next) => void (study.value = next),
       setMeshes: (next) => void (meshes.value = next),
     },
     opened: createEvent(),

@@ -2,7 +2,8 @@ import type { App } from '../../app/app.ts';
 import { systemMetas } from '../../app/store.ts';
 import { otherMethods, reportMethods } from '../../core/cases/methodSets.ts';
 import { columnOf, shownFactor, shownUnit, sumsOf, symbolOf } from '../../core/motion/columns.ts';
-import { plainText as plainSymbol, symbolText, words as plain, type Text } from '../../core/motion/symbols.ts';
+import { placeSymbol } from '../../core/motion/placeSymbol.ts';
+import { plainText as plainSymbol, words as plain, type Text } from '../../core/motion/symbols.ts';
 import { spaced, sweepPaths, type SweepAxis, type SweepPath, type SweepValue } from '../../core/scenario/sweepAxes.ts';
 import type { SweepMeasure } from '../../core/motion/sweepMeasures.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
@@ -111,7 +112,7 @@ export interface AxisInfo {
 export function axisInfo(axis: SweepAxis, meta: SystemMeta, degrees: boolean): AxisInfo {
   const unit = axis.angle && !degrees ? axis.unit.replace('°', 'rad') : axis.unit;
   const factor = axis.angle && degrees ? 1 / DEGREE : 1;
-  const symbol = axisSymbol(axis, meta);
+  const symbol = placeSymbol(axis.path, axis.label, meta);
   const written =
     (digits: number | undefined) =>
     ({ value, label, method }: SweepValue): string =>
@@ -126,16 +127,6 @@ export function axisInfo(axis: SweepAxis, meta: SystemMeta, degrees: boolean): A
     text: written(6),
     tick: written([3, 4, 6].find(apart)),
   };
-}
-
-/** Of a parameter or a state its own; all else by its name. */
-function axisSymbol({ path, label }: SweepAxis, meta: SystemMeta): Text {
-  const [first] = path.split('+');
-  const [, group, name] = /^(parameters|initial|control\.at)\.(.+)$/.exec(first!) ?? [];
-  const parameter = group === 'parameters' && meta.parameters.find((p) => p.name === name);
-  if (parameter) return symbolText(parameter.symbol);
-  if (name === meta.speed?.name && name !== undefined) return symbolText('v');
-  return group && group !== 'parameters' ? symbolOf(columnOf(meta, name!)) : plain(label);
 }
 
 /** `parameters.casterTrail` as one reads it. */

@@ -52,7 +52,7 @@ function OpenButton() {
         class="hidden"
         type="file"
         multiple
-        accept=".csv,.tsv,.txt,.dat,.trc,.mot,.sto,.json,.jsonl,.gz,.xlsx,.mdl,.mat,text/*,application/json"
+        accept=".csv,.tsv,.txt,.dat,.trc,.mot,.sto,.json,.jsonl,.gz,.xlsx,.parquet,.mdl,.mat,text/*,application/json"
         tabIndex={-1}
         aria-label={words.openTitle}
         data-testid="open-file"

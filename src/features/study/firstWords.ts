@@ -1,2 +1,2 @@
 /** What is read before the tool is opened. */
-export const firstWords = { title: 'Sweep results' } as const;
+export const firstWords = { title: 'Sweeps' } as const;

@@ -67,7 +67,7 @@ function placeNaming(id: string, meta: SystemMeta, paths: readonly SweepPath[], 
   const first = id.split('+')[0]!;
   const found = paths.find(({ path }) => path === id) ?? paths.find(({ path }) => path.split('+')[0] === first);
   const turned = found?.angle && !degrees ? found.unit.replace('°', 'rad') : (found?.unit ?? '');
-  const short = first.replace(/^(parameters|initial|method)\./, '');
+  const short = first.replace(/^(parameters|initial)\./, '');
   return {
     symbol: placeSymbol(id, short, meta),
     label: found?.label ?? short,

@@ -137,8 +137,12 @@ interface Fixable {
   holds(row: number, value: string): boolean;
 }
 
-/** What is varied besides the axes and comes in few values: one of them is looked at, the first to begin with. */
+/**
+ * What is varied besides the axes and comes in few values. In a map of two varied quantities one of them is looked at, the
+ * first to begin with; elsewhere all are.
+ */
 function fixable(quantities: Quantities, varied: readonly string[], axes: readonly string[]): Fixable[] {
+  const any = { value: '', name: words.any };
   return varied
     .filter((id) => !axes.includes(id))
     .flatMap((id) => {
@@ -147,7 +151,8 @@ function fixable(quantities: Quantities, varied: readonly string[], axes: readon
       if (!different || different.length < 2) return [];
       const name = (value: string): string =>
         kinds ? value : `${written(Number(value) * factor)}${unit && THIN}${unit}`;
-      const choices = [...different.map((value) => ({ value, name: name(value) })), { value: '', name: words.any }];
+      const single = different.map((value) => ({ value, name: name(value) }));
+      const choices = axes.every((axis) => varied.includes(axis)) ? [...single, any] : [any, ...single];
       return [{ id, label, choices, holds: (row: number, value: string) => String(values[row]) === value }];
     });
 }

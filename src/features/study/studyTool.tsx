@@ -19,8 +19,8 @@ export function StudyTool() {
   const { app } = useUi();
   const results = app.state.study.value;
   return (
-    <div class="study" data-testid="study">
-      {results ? <Results key={results.title} results={results} /> : <Nothing />}
+    <div class="study scroll" data-testid="study">
+      {results ? <Results key={results} results={results} /> : <Nothing />}
     </div>
   );
 }

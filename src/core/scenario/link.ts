@@ -3,6 +3,7 @@ import { collectScenarioErrors } from './schema.ts';
 import type { ScenarioFile } from './types.ts';
 import type { SystemMeta } from '../model/system.ts';
 import { settled, written } from './own.ts';
+import { packText, unpackText } from './packed.ts';
 import { decode, difference, encode, isRecord, LinkError, patched, readValue, short, type Entry } from './patch.ts';
 
 export { LinkError } from './patch.ts';
@@ -43,6 +44,12 @@ type Name = (typeof NAMES)[number];
 
 const NOTHING = { version: 1 } as const;
 
+/** Where a description stands in a scenario, and in a link that packs it. */
+const DESCRIPTION = 'system.description';
+const PACKED = 'system.packed';
+/** Bytes: somewhat more than a description may have, of which its own check then speaks. */
+const LARGEST_UNPACKED = 200_000;
+
 /**
  * The text after `#`, without it.
  *
@@ -58,7 +65,7 @@ export function encodeLink(content: LinkContent, { cases, systems }: Known): str
   const entries: Entry[] = [['v', VERSION]];
   if (base) entries.push(['case', base.id]);
   if (content.title) entries.push(['title', content.title.slice(0, LONGEST_TITLE).replace(/[\ud800-\udbff]$/, '')]);
-  entries.push(...changes);
+  entries.push(...changes.map(shorter));
   for (const name of ['tool', 'view'] as const) if (content[name]) entries.push([name, content[name]]);
   if (content.time !== undefined && content.time > 0) entries.push(['time', String(content.time)]);
   if (content.plots !== undefined) entries.push(['plots', JSON.stringify(content.plots)]);
@@ -70,6 +77,21 @@ export function encodeLink(content: LinkContent, { cases, systems }: Known): str
       `a link of ${text.length} characters is more than the ${LONGEST_LINK} that addresses carry; save the scenario as a file instead`,
     );
   return text;
+}
+
+/** A description is packed where that is shorter. */
+function shorter([path, value]: Entry): Entry {
+  if (path !== DESCRIPTION) return [path, value];
+  const packed = packText(value);
+  return packed.length < encode(value).length ? [PACKED, packed] : [path, value];
+}
+
+function unpacked(text: string): string {
+  try {
+    return unpackText(text, LARGEST_UNPACKED);
+  } catch (error) {
+    throw new LinkError(PACKED, error instanceof Error ? error.message : String(error));
+  }
 }
 
 /**
@@ -104,10 +126,12 @@ export function decodeLink(text: string, known: Known): OpenedLink {
  * @param text with or without `#`
  */
 export function descriptionInLink(text: string): string | null {
-  const found = /(?:^|[&#]|&amp;)system\.description(?:=|%3D)([^&]*)/.exec(text.slice(0, LONGEST_LINK + 1))?.[1];
-  if (found === undefined) return null;
+  const found = /(?:^|[&#]|&amp;)system\.(description|packed)(?:=|%3D)([^&]*)/.exec(text.slice(0, LONGEST_LINK + 1));
+  if (!found) return null;
+  const [, kind, value] = found as unknown as [string, string, string];
   try {
-    return String(readValue('', decode('', found.replaceAll('+', ' '))));
+    const plain = decode('', value.replaceAll('+', ' '));
+    return String(readValue('', kind === 'packed' ? unpacked(plain) : plain));
   } catch {
     // Decoding says what is broken.
     return null;
@@ -175,10 +199,12 @@ function entriesOf(text: string): { own: Map<Name, string>; changes: Entry[] } {
     const equals = part.indexOf('=');
     if (equals < 1) throw new LinkError('', `"${short(part)}" is no entry; entries read name=value`);
     const path = part.slice(0, equals);
-    if (seen.has(path)) throw new LinkError(path, 'stands twice');
-    seen.add(path);
+    const place = path === PACKED ? DESCRIPTION : path;
+    if (seen.has(place)) throw new LinkError(path, 'stands twice');
+    seen.add(place);
     const value = decode(path, part.slice(equals + 1).replaceAll('+', ' '));
     if ((NAMES as readonly string[]).includes(path)) own.set(path as Name, value);
+    else if (path === PACKED) changes.push([DESCRIPTION, unpacked(value)]);
     else changes.push([path, value]);
   }
   return { own, changes };

@@ -7,6 +7,7 @@ import { actuationOf, type Actuation } from './actuation.ts';
 import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
 import { sightOf, type InputPlan } from './inputPlan.ts';
 import { dipBetween } from './dip.ts';
+import { failureMessage } from './failureMessage.ts';
 import type { Saturation } from './saturation.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
 import type { StateMap } from '../mechanics/formulations/contract.ts';
@@ -14,7 +15,7 @@ import { Projection } from '../mechanics/projection.ts';
 import { zeroCounters, type Counters, type Stepper } from '../integrators/contract.ts';
 import { maxAbs } from '../linalg/dense.ts';
 import type { EngineId, Scenario } from '../scenario/types.ts';
-import { dependentWords, singularMassWords, type System } from '../model/system.ts';
+import type { System } from '../model/system.ts';
 import { methods } from '../integrators/methods.ts';
 import { DEFAULT_STEP } from '../integrators/shared/fixedStepper.ts';
 import { MULTIPLIERS, motionOf } from './motion.ts';
@@ -620,13 +621,7 @@ export class Simulation {
   }
 
   private failureMessage(reason: string, t: number): string {
-    const { meta } = this.system;
-    return failureMessage(
-      reason,
-      t,
-      dependentWords(meta, this.dynamics.constraints?.id),
-      singularMassWords(meta, this.endQ),
-    );
+    return failureMessage(reason, t, this.endQ, this.endV, this.system.meta, this.dynamics);
   }
 
   private grow(): void {
@@ -676,22 +671,4 @@ function addCounters(a: Counters, b: Counters): Counters {
     jacobians: a.jacobians + b.jacobians,
     factorizations: a.factorizations + b.factorizations,
   };
-}
-
-function failureMessage(reason: string, t: number, dependent: string, singularMass: string): string {
-  const at = `at t = ${t.toFixed(3)} s`;
-  const known: Record<string, string> = {
-    'step-too-small':
-      `the step shrank to nothing ${at}: the motion is too abrupt for this tolerance or method; ` +
-      'take a larger rtol and atol, or an implicit method (gauss, radau) where the motion is stiff',
-    newton:
-      `the equations of a step could not be solved ${at}, however short it was: take a larger rtol and atol ` +
-      '(below about 1e-12 rounding stands in the way), another method (dop853, gauss), or for a fixed step a shorter one',
-    'non-finite':
-      `the equations gave a number that is not finite ${at}: check parameters and inputs, and for a fixed step ` +
-      'take a shorter one or a method that chooses its steps',
-    'constraint-singular': `the constraints became dependent ${at}${dependent}`,
-    'mass-matrix-singular': `the mass matrix became singular ${at}: ${singularMass}`,
-  };
-  return `${reason}: ${known[reason] ?? `the method stopped ${at}`}`;
 }

@@ -8,6 +8,7 @@ import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenari
 import type { System } from '../core/model/system.ts';
 import { bench } from './bench/bench.ts';
 import { curves } from './curves.ts';
+import { exportAs } from './export.ts';
 import { gaitReport, type GaitOptions } from './gait.ts';
 import { cannotWrite } from './output.ts';
 import { point } from './point.ts';
@@ -35,6 +36,8 @@ const USAGE = `Usage:
        [--harmonics 2,3] [--parameters wheelDrag=0.5,…]
   npm run --silent ripstik -- sweep STUDY.json --out RESULTS.parquet many runs, one row each, on every core; .csv writes text
        [--shard I/N] [--resume] [--workers N]                        a part of the runs; going on after an interruption
+  npm run --silent ripstik -- export SCENARIO.json --as mjcf|sympy|c the system for MuJoCo, as a SymPy script, or as C with a test
+       [--out FILE]                                                  (without --out: on standard output)
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
 SCENARIO.json may be - for standard input, or a description NAME.system.txt. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
@@ -115,6 +118,7 @@ async function main(args: readonly string[]): Promise<number> {
     command === 'test'
       ? { tests: takeOption(rest, '--tests'), report: takeOption(rest, '--report'), junit: takeOption(rest, '--junit') }
       : null;
+  const format = command === 'export' ? takeOption(rest, '--as') : undefined;
   const pumping = command === 'gait' ? gaitOptions(rest) : null;
   const curving =
     command === 'curves'
@@ -170,6 +174,10 @@ async function main(args: readonly string[]): Promise<number> {
       print(gaitReport(system, pumping!));
       return 0;
     }
+    case 'export': {
+      const { scenario, system } = await readScenario(rest[0]);
+      return exportAs(scenario, system, { name: rest[0]!, format, out });
+    }
     case 'sweep':
       return sweep(rest[0], { out, ...sweeping! });
     case 'cases':
@@ -185,7 +193,7 @@ async function main(args: readonly string[]): Promise<number> {
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(
-        `no command "${command}"; there are simulate, point, linearize, curves, test, read, gait, sweep, cases and bench`,
+        `no command "${command}"; there are simulate, point, linearize, curves, test, read, gait, sweep, export, cases and bench`,
       );
   }
 }

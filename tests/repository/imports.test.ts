@@ -40,6 +40,7 @@ const CORE: Table = {
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   sweep: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
+  exchange: ['linalg', 'model', 'engine', 'description', 'mechanics', 'scenario', 'simulation'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Readonly<Record<string, string>> = {

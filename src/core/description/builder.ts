@@ -52,6 +52,7 @@ export class Builder implements Scope {
       p: [],
       clock: null,
       kinetic: zero,
+      kineticLines: zero,
       inertia: zero,
       potential: zero,
       loss: zero,
@@ -408,6 +409,7 @@ export class Builder implements Scope {
 
   private addEnergies(): void {
     const { model, graph } = this;
+    model.kineticLines = model.kinetic;
     const g = this.values.get('gravity');
     const half = graph.number(0.5);
     for (const { mass, inertia, position, frame, line } of model.bodies) {

@@ -74,6 +74,8 @@ export interface Model {
   /** Index of the coordinate that is the time, in systems in which t occurs. */
   clock: number | null;
   kinetic: Id;
+  /** The part of it that lines give as an energy, without the bodies. */
+  kineticLines: Id;
   /** What stands for the inertia of the clock and of coordinates of first order: no energy, but a part of M. */
   inertia: Id;
   potential: Id;

@@ -9,12 +9,10 @@ parameter L [m] = 1 positive "centre of mass from pivot" group "Pendulum"
 parameter gravity [m/s²] = 9.81 "gravity" group "World"
 
 # A rod whose radius of gyration about its centre of mass is L, as the report's Eq. 17 has it.
-kinetic 1/2 m1 X'^2 + 1/2 m2 (2 L^2 theta'^2 - 2 L sin(theta) theta' X' + X'^2)
-potential m2 gravity L sin(theta)
-
 frame rod = world turned y -theta
-body cart at (X, 0, 0)
-body pendulum at (X, 0, 0) in rod first
+point pivot = (X, 0, 0)
+body cart mass m1 at pivot
+body pendulum mass m2 inertia (m2 L^2, m2 L^2, m2 L^2) at pivot + rod(L, 0, 0) in rod origin pivot first
 shape cart box (0.4, 0.25, 0.16)
 shape pendulum rod 0.02, L at (L/2, 0, 0)
 shape pendulum sphere 0.08 at (L, 0, 0)

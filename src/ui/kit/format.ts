@@ -50,6 +50,18 @@ export function formatShort(x: number, digits = 4): string {
   return typographic(String(Number(x.toPrecision(digits))).replace('e+', 'e'));
 }
 
+/** Signs of a number that every field has room for. */
+const MOST_SIGNS = 8;
+
+/** A field's text as it stands while nobody edits it: a number that is too long for its box is rounded, and says so. */
+export function restingText(text: string): string {
+  const plain = plainText(text).trim();
+  return text.length > MOST_SIGNS && PLAIN_NUMBER.test(plain) ? `≈${formatShort(Number(plain))}` : text;
+}
+
+/** Text that says its value itself. */
+export const PLAIN_NUMBER = /^[-+]?[\d.]*(e[-+]?\d*)?$/i;
+
 /** Seconds to the millisecond. */
 export const formatTime = (t: number): string => formatFixed(t, 3);
 

@@ -42,6 +42,7 @@ export function NumberBox({
         inputMode="text"
         autocomplete="off"
         spellcheck={false}
+        title={field.input.value === field.text ? undefined : field.text}
         aria-label={spec.unit ? `${spec.label} (${spec.unit})` : spec.label}
         aria-invalid={field.error ? 'true' : undefined}
         aria-describedby={field.error ? `${id}-error` : undefined}

@@ -11,7 +11,9 @@ import {
   naturalStep,
   nudge,
   parseField,
+  PLAIN_NUMBER,
   plainText,
+  restingText,
   storedFromShown,
   toShown,
 } from './format.ts';
@@ -45,13 +47,11 @@ export function numberOf(value: NumberOrExpression | undefined, fallback: number
   }
 }
 
-/** Text that says its value itself. */
-const PLAIN = /^[-+]?[\d.]*(e[-+]?\d*)?$/i;
-
 export function useNumberField(spec: NumberSpec) {
   const { app } = useUi();
   const [typed, setTyped] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
+  const [focused, setFocused] = useState(false);
   const drag = useRef<{ x: number; from: number; moved: boolean } | null>(null);
   const dragged = useRef(false);
   /** What was in force before typing began, and the number that typing put in force. */
@@ -175,7 +175,7 @@ export function useNumberField(spec: NumberSpec) {
     error: error ?? app.state.draftErrors.value.get(spec.path) ?? null,
     /** What an expression comes to, in the field's unit; null where the text says it. */
     meaning:
-      written === '' || PLAIN.test(written) || meant === undefined || !Number.isFinite(meant) || error !== null
+      written === '' || PLAIN_NUMBER.test(written) || meant === undefined || !Number.isFinite(meant) || error !== null
         ? null
         : `= ${formatQuantity(meant, spec.unit ?? '')}`,
     differs,
@@ -189,9 +189,18 @@ export function useNumberField(spec: NumberSpec) {
       spec.commit(spec.base);
     },
     input: {
-      value: text,
+      value: focused || typed !== null ? text : restingText(text),
       onInput,
-      onBlur: () => void accept(),
+      onFocus({ currentTarget: input }: { currentTarget: HTMLInputElement }) {
+        setFocused(true);
+        if (input.value === text) return;
+        input.value = text;
+        input.select();
+      },
+      onBlur() {
+        setFocused(false);
+        accept();
+      },
       onKeyDown,
     },
   };

@@ -100,3 +100,24 @@ test('a field that leaves the page takes its refusal along', () => {
   unmount();
   expect(ui.app.state.refusedFields.value.size).toBe(0);
 });
+
+test('a number that is too long for its box is rounded while nobody edits it, and whole as soon as it has focus', () => {
+  const { input, committed } = field({ value: 0.0685808540382, unit: 'm' });
+  expect(input.value).toBe('≈0.06858');
+  expect(input.title).toBe('0.0685808540382');
+  fireEvent.focus(input);
+  expect(input.value).toBe('0.0685808540382');
+  fireEvent.blur(input);
+  expect(input.value).toBe('≈0.06858');
+  expect(committed).toEqual([]);
+  // A step goes from the number itself.
+  fireEvent.keyDown(input, { key: 'ArrowUp' });
+  expect(committed[0]).toBeCloseTo(0.0685808540382, 1);
+  expect(committed[0]).not.toBe(0.06858);
+});
+
+test('a short number and a formula stand as they are', () => {
+  expect(field({ value: -1.23456 }).input.value).toBe('−1.23456');
+  cleanup();
+  expect(field({ value: 'sin(2*t)*0.123456' }).input.value).toBe('sin(2*t)*0.123456');
+});

@@ -69,6 +69,7 @@ export class Builder implements Scope {
       speed: null,
       forward: null,
       names: new Map(),
+      defined: new Map(),
     };
   }
 
@@ -151,6 +152,8 @@ export class Builder implements Scope {
   define(token: LineToken, line: number, kind: string, value: Value): void {
     this.values.set(token.text, value);
     this.model.names.set(token.text, { kind, line });
+    if (kind === 'definition' && value.kind === 'scalar' && !this.model.defined.has(value.id))
+      this.model.defined.set(value.id, token.text);
   }
 
   addCoordinate(

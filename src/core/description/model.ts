@@ -98,4 +98,6 @@ export interface Model {
   forward: { along: [string, string]; heading: string } | null;
   /** Names that a description defines, for completion: what they are, and the line. */
   names: Map<string, { kind: string; line: number }>;
+  /** Expressions that a line gives a name to. */
+  defined: Map<Id, string>;
 }

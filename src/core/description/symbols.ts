@@ -37,3 +37,20 @@ export function symbolOf(name: string): string {
   const [first, ...rest] = name.split('_');
   return [GREEK[first!] ?? first, ...rest].join('_');
 }
+
+/**
+ * The letter of a name in LaTeX: `theta_fc` is `\theta_{\mathrm{fc}}`, `m1` is `m_{1}`.
+ *
+ * @param name as typed: letters, digits and underscores
+ */
+export function latexName(name: string): string {
+  const [, first, digits, rest] = /^([^_0-9]*)(\d*)_*(.*)$/.exec(name)!;
+  const base = Object.hasOwn(GREEK, first!)
+    ? `\\${first}`
+    : first!.length > 1
+      ? `\\mathrm{${first}}`
+      : first || '\\square';
+  const index = [digits, ...rest!.split('_')].filter(Boolean);
+  const set = index.map((x) => (Object.hasOwn(GREEK, x!) ? `\\${x}` : /^\w$|^\d+$/.test(x!) ? x : `\\mathrm{${x}}`));
+  return set.length > 0 ? `${base}_{${set.join(',')}}` : base;
+}

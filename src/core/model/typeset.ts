@@ -21,6 +21,8 @@ export interface Typeset {
     entries: readonly { row: string; column: string; latex: string }[];
     left: readonly { row: string; column: string; operations: number }[];
   } | null;
+  /** Of h, where the system was typed: what can be read, and how long the rest is. */
+  forces?: readonly { row: string; latex?: string; operations?: number }[];
   constraints: readonly TypesetConstraints[];
 }
 
@@ -42,6 +44,8 @@ export interface TypesetConstraints {
     title: string;
     latex: string;
     entries: readonly { column: string; latex?: string; operations?: number }[];
+    /** Its entry of gamma, where the system was typed and it can be read. */
+    gamma?: string;
   }[];
   heights: readonly string[];
 }

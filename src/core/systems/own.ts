@@ -1,6 +1,7 @@
 /** Systems that a person describes: read once for each text, known by an id like the built-in ones from then on. */
 import type { Sketch, Value } from '../geometry/drawing.ts';
 import type { System, SystemView } from '../model/system.ts';
+import type { Typeset } from '../model/typeset.ts';
 import type { SystemReading } from '../description/index.ts';
 import type { Model } from '../description/model.ts';
 import { descriptionIn, ownId } from '../scenario/own.ts';
@@ -97,6 +98,20 @@ export async function drawOwn(id: string, views: Views): Promise<((value: Value)
   if (!own) return undefined;
   const { sketchOf } = await import('../description/index.ts');
   return sketchOf(own.model);
+}
+
+/**
+ * The equations of a learned system as marked LaTeX; undefined where there is none of that id. Its own graph is left as it is.
+ *
+ * @param id of the system
+ * @param views what is known of systems, by id
+ */
+export function typesetOwn(id: string, views: Views): Promise<Typeset> | undefined {
+  const text = Object.hasOwn(views, id) ? views[id]!.meta.description : undefined;
+  if (text === undefined) return undefined;
+  return Promise.all([readAnew(text), import('../description/typeset.ts')]).then(([{ model }, { typesetOf }]) =>
+    typesetOf(model, id),
+  );
 }
 
 async function derived({ model, view }: Own): Promise<System> {

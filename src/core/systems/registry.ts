@@ -17,7 +17,7 @@ import { casterRotation } from './caster-rotation/index.ts';
 import { casterboardRobot } from './casterboard-robot/index.ts';
 import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
 import type { SystemFolder } from './folder.ts';
-import { drawOwn, learn, learnFrom, loadOwn } from './own.ts';
+import { drawOwn, learn, learnFrom, loadOwn, typesetOwn } from './own.ts';
 import { ripstik } from './ripstik/index.ts';
 import { ripstikRider } from './ripstik-rider/index.ts';
 import { rollingWheel } from './rolling-wheel/index.ts';
@@ -141,10 +141,8 @@ async function systemIn(folder: SystemFolder, jacobians: boolean, tape: boolean)
  * @returns undefined where there is none of that name
  */
 export function loadTypeset(id: string): Promise<Typeset> | undefined {
-  return folders
-    .get(id)
-    ?.typeset()
-    .then((module) => module.default as Typeset);
+  const folder = folders.get(id);
+  return folder ? folder.typeset().then((module) => module.default as Typeset) : typesetOwn(id, systemViews);
 }
 
 /**

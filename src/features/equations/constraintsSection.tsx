@@ -47,6 +47,8 @@ function ConstraintSet({ set, inForce }: { set: TypesetConstraints; inForce: boo
       {set.rows.map((row, k) => (
         <Entries key={k} row={row} />
       ))}
+      {set.rows.some(({ gamma }) => gamma) && <h5>{headings.gamma}</h5>}
+      {set.rows.map(({ gamma }, k) => gamma && <Formula key={k} latex={gamma} title={`γ ${k + 1}`} />)}
     </section>
   );
 }

@@ -20,6 +20,7 @@ export function MotionSection() {
         <Formula key={i} latex={latex} title={`${headings.losses} ${i + 1}`} />
       ))}
       {typeset.mass && <MassEntries />}
+      {typeset.forces && <ForceEntries />}
     </>
   );
 }
@@ -33,6 +34,23 @@ function Structure() {
         <Formula key={i} latex={latex} title={`${headings.structure} ${i + 1}`} />
       ))}
       <p class="hint">{equations.structureNote}</p>
+    </>
+  );
+}
+
+function ForceEntries() {
+  return (
+    <>
+      <h4>{headings.forces}</h4>
+      {useBook().typeset.forces!.map(({ row, latex, operations }) =>
+        latex ? (
+          <Formula key={row} latex={latex} title={`h ${row}`} />
+        ) : (
+          <p key={row} class="hint">
+            {equations.rowLeft(row, formatCount(operations!))}
+          </p>
+        ),
+      )}
     </>
   );
 }

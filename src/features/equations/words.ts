@@ -20,6 +20,8 @@ export const equations = {
     energies: 'Energies',
     structure: 'What M, h and λ are made of',
     entries: 'Entries of M',
+    forces: 'Entries of h',
+    gamma: 'Entries of γ',
     losses: 'Losses and drag',
     heights: 'Heights kept at zero',
     contacts: 'Contact of a wheel',

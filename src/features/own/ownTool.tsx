@@ -11,6 +11,7 @@ import { learnSystem } from '../../core/systems/registry.ts';
 import { edit, useUi, type Ui } from '../../ui/context.ts';
 import { carriedOver } from './adopt.ts';
 import { createEditor, type Names, type TextEditor } from './editor.ts';
+import { Formulas } from './formulas.tsx';
 import './own.css';
 import { words } from './words.ts';
 
@@ -18,18 +19,18 @@ import { words } from './words.ts';
 const PAUSE_MS = 250;
 
 type Standing =
-  | { kind: 'untouched'; title: string }
-  | { kind: 'fine'; title: string }
+  | { kind: 'untouched'; title: string; id: string | null }
+  | { kind: 'fine'; title: string; id: string }
   | { kind: 'empty' }
   | { kind: 'faults'; faults: readonly DescriptionError[] }
   | { kind: 'refused'; reason: string };
 
 /** What stands in the editor first: the system in the panel, as it was typed or as its template. */
-async function firstText(ui: Ui): Promise<{ text: string; title: string }> {
+async function firstText(ui: Ui): Promise<{ text: string; title: string; id: string | null }> {
   const { meta } = ui.system.peek() ?? {};
-  if (meta?.description !== undefined) return { text: meta.description, title: meta.title };
+  if (meta?.description !== undefined) return { text: meta.description, title: meta.title, id: meta.id };
   const template = templates.find(({ id }) => id === meta?.id) ?? templates[0]!;
-  return { text: (await template.load()).default, title: template.title };
+  return { text: (await template.load()).default, title: template.title, id: null };
 }
 
 export function OwnTool() {
@@ -52,7 +53,7 @@ export function OwnTool() {
         const { meta } = await learnSystem(text, reading);
         // Another key was pressed meanwhile.
         if (editor.current?.text !== text) return;
-        standing.value = { kind: 'fine', title: meta.title };
+        standing.value = { kind: 'fine', title: meta.title, id: meta.id };
         const draft = ui.app.state.draft.peek();
         if (draft.system === meta.id) return;
         const next = carriedOver(draft, meta);
@@ -70,11 +71,11 @@ export function OwnTool() {
 
   useEffect(() => {
     let gone = false;
-    void firstText(ui).then(({ text, title }) => {
+    void firstText(ui).then(({ text, title, id }) => {
       if (gone) return;
       names.current = readSystem(text).names;
       editor.current = createEditor(place.current!, text, () => names.current, soon);
-      standing.value = { kind: 'untouched', title };
+      standing.value = { kind: 'untouched', title, id };
     });
     return () => {
       gone = true;
@@ -90,6 +91,10 @@ export function OwnTool() {
     void read(text);
   };
   const now = standing.value;
+  // What was right last stays to be read while a line is not.
+  const last = useRef<string | null>(null);
+  if (now.kind === 'fine' || now.kind === 'untouched') last.current = now.id;
+  const id = last.current;
   const title = now.kind === 'fine' || now.kind === 'untouched' ? now.title : '';
   return (
     <div class="own" data-testid="own">
@@ -147,6 +152,12 @@ export function OwnTool() {
       <div class="own-state" role="status" data-testid="own-state" data-state={now.kind}>
         <State now={now} onGo={(line) => editor.current?.goTo(line)} />
       </div>
+      {id !== null && (
+        <details class="own-equations" open>
+          <summary>{words.equations}</summary>
+          <Formulas id={id} />
+        </details>
+      )}
     </div>
   );
 }

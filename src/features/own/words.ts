@@ -16,6 +16,10 @@ export const words = {
       : `${count} lines are not right yet; the last right system stays on the stage:`,
   fault: (line: number, reason: string) => (line > 0 ? `Line ${line}: ${reason}` : reason),
   refused: (reason: string) => `It cannot run: ${reason}`,
+  equations: 'Its equations',
+  formula: 'Formula',
+  more: 'M, h, Ω, γ and the bodies stand in Equations.',
+  long: 'They are long: they stand in Equations, part by part.',
   label: 'own system',
   file: (title: string) => `${title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'system'}.system.txt`,
 } as const;

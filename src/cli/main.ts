@@ -1,8 +1,10 @@
 import { isMainThread } from 'node:worker_threads';
 import { StartError } from '../core/mechanics/consistentStart.ts';
-import { cases, learnSystemIn, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
+import { cases, learnSystem, learnSystemIn, loadSystem, systemMetas as metas } from '../core/systems/registry.ts';
 import { controlReport } from '../core/control/design/report.ts';
 import { computerReport } from '../core/control/sampled/computerReport.ts';
+import { decodeLink, descriptionInLink, encodeLink, LinkError, LONGEST_LINK } from '../core/scenario/link.ts';
+import { settled, written } from '../core/scenario/own.ts';
 import { parseScenario } from '../core/scenario/schema.ts';
 import { ScenarioError, type Scenario, type ScenarioFile } from '../core/scenario/types.ts';
 import type { System } from '../core/model/system.ts';
@@ -39,25 +41,50 @@ const USAGE = `Usage:
   npm run --silent ripstik -- export SCENARIO.json --as mjcf|sympy|c the system for MuJoCo, as a SymPy script, or as C with a test
        [--out FILE]                                                  (without --out: on standard output)
   npm run --silent ripstik -- cases [ID]                             the built-in cases, or one as a scenario, as JSON
+  npm run --silent ripstik -- link SCENARIO.json                     the scenario as the part of the page's address after #
   npm run --silent ripstik -- bench                                  speed of this machine: accelerations, steps by method, as JSON
-SCENARIO.json may be - for standard input, or a description NAME.system.txt. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
+SCENARIO.json may be - for standard input, a description NAME.system.txt, or a link of the page in quotes. Exit status: 0, 1 for tests that failed, 2 for a bad call or scenario, 3 when a run stopped early.`;
 
 /** The installed package has a command of its own. */
 const calledAs = (usage: string): string =>
   process.argv[1]?.endsWith('.ts') ? usage : usage.replaceAll('npm run --silent ripstik --', 'npx ripstik-lab');
 
+const isLink = (text: string): boolean => /^\s*\S*#v=\d/.test(text.slice(0, LONGEST_LINK));
+
+/** What a link of the page holds, as a scenario's file. */
+async function scenarioOfLink(link: string): Promise<string> {
+  try {
+    const text = link.trim().replace(/^[^#]*/, '');
+    const description = descriptionInLink(text);
+    if (description !== null) await learnSystem(description);
+    return JSON.stringify(written(decodeLink(text, { systems: metas, cases }).scenario, metas));
+  } catch (error) {
+    if (error instanceof LinkError) throw new UsageError(`the link cannot be read: ${error.message}`);
+    throw error;
+  }
+}
+
+/** A scenario as a link, without the page's address. */
+function linkOf(scenario: ScenarioFile): string {
+  try {
+    return encodeLink({ caseId: null, scenario: settled(scenario) }, { systems: metas, cases });
+  } catch (error) {
+    if (error instanceof LinkError) throw new UsageError(error.message);
+    throw error;
+  }
+}
+
 /** A scenario, its JSON as it was written, and its system. */
-async function readScenario(
-  name: string | undefined,
-): Promise<{ scenario: Scenario; written: unknown; system: System }> {
+async function readScenario(name: string | undefined): Promise<{ scenario: Scenario; file: unknown; system: System }> {
   if (!name) throw new UsageError('which scenario? Name a JSON file');
-  let text = readText(name);
+  let text = isLink(name) ? name : readText(name);
+  if (isLink(text)) text = await scenarioOfLink(text);
   // A description by itself: everything at its default.
   if (/\.system\.txt$/i.test(name))
     text = JSON.stringify({ version: 1, system: { description: text.replace(/^\ufeff/, '') } });
   await learnSystemIn(text);
   const scenario = parseScenario(text, metas);
-  return { scenario, written: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };
+  return { scenario, file: JSON.parse(text.replace(/^\ufeff/, '')), system: await loadSystem(scenario.system)! };
 }
 
 function listCases(id: string | undefined): void {
@@ -143,12 +170,17 @@ async function main(args: readonly string[]): Promise<number> {
   if (unknown) throw new UsageError(`"${unknown}" is not understood; see --help`);
   switch (command) {
     case 'simulate': {
-      const { scenario, written, system } = await readScenario(rest[0]);
-      return simulate(scenario, system, { name: rest[0]!, out, written, verify });
+      const { scenario, file, system } = await readScenario(rest[0]);
+      return simulate(scenario, system, { name: rest[0]!, out, written: file, verify });
     }
     case 'point': {
       const { scenario, system } = await readScenario(rest[0]);
       print(point(scenario, system));
+      return 0;
+    }
+    case 'link': {
+      const { file } = await readScenario(rest[0]);
+      process.stdout.write(`#${linkOf(file as ScenarioFile)}\n`);
       return 0;
     }
     case 'linearize': {
@@ -162,8 +194,8 @@ async function main(args: readonly string[]): Promise<number> {
       return 0;
     }
     case 'test': {
-      const { written, system } = await readScenario(rest[0]);
-      return test(written as ScenarioFile, system, testing!);
+      const { file, system } = await readScenario(rest[0]);
+      return test(file as ScenarioFile, system, testing!);
     }
     case 'read':
       print(await read(rest[0], metas, { out, ...reading }));
@@ -193,7 +225,7 @@ async function main(args: readonly string[]): Promise<number> {
       return command === undefined ? 2 : 0;
     default:
       throw new UsageError(
-        `no command "${command}"; there are simulate, point, linearize, curves, test, read, gait, sweep, export, cases and bench`,
+        `no command "${command}"; there are simulate, point, linearize, curves, test, read, gait, sweep, export, cases, link and bench`,
       );
   }
 }

@@ -28,7 +28,11 @@ const MOST_DENOMINATOR = 64;
 
 type Powers = readonly (readonly [Atom, number])[];
 
-/** A number as a fraction where it is one that a person would write. */
+/**
+ * A number as a fraction where it is one that a person would write.
+ *
+ * @param x any number
+ */
 export function numberLatex(x: number): string {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? '\\mathrm{NaN}' : x < 0 ? '-\\infty' : '\\infty';
   if (Number.isInteger(x) && Math.abs(x) < 1e9) return String(x);
@@ -45,6 +49,8 @@ export function numberLatex(x: number): string {
 }
 
 /**
+ * What is printed of a polynomial.
+ *
  * @param p as `Polynomials` makes them
  * @returns marked LaTeX
  */

@@ -37,11 +37,16 @@ const MOST_OPERAND = 30;
 
 const keyOf = (powers: Monomial['powers']): string => powers.map(([{ key }, p]) => `${key}^${p}`).join('*');
 
-export const sizeOf = (p: Polynomial): number => {
+/**
+ * Symbols and signs that it takes to print a polynomial.
+ *
+ * @param p any
+ */
+export function sizeOf(p: Polynomial): number {
   let size = 0;
-  for (const { powers } of p.values()) size += 1 + powers.reduce((sum, [{ size: s }]) => sum + s, 0);
+  for (const { powers } of p.values()) size += 1 + powers.reduce((sum, [atom]) => sum + atom.size, 0);
   return size;
-};
+}
 
 export class Polynomials {
   /** Parts by their mark: what they stand for, in the order in which they were made. */

@@ -46,7 +46,7 @@ export function symbolOf(name: string): string {
 export function latexName(name: string): string {
   const [, first, digits, rest] = /^([^_0-9]*)(\d*)_*(.*)$/.exec(name)!;
   const base = Object.hasOwn(GREEK, first!)
-    ? `\\${first}`
+    ? `\\${first === 'phi' ? 'varphi' : first}`
     : first!.length > 1
       ? `\\mathrm{${first}}`
       : first || '\\square';

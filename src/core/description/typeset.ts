@@ -108,6 +108,8 @@ const dotted = (accent: string, letter: string): string => {
 };
 
 /**
+ * The equations of a model.
+ *
  * @param model what was read of a description, whose graph grows by what is derived here
  * @param id of the system
  */

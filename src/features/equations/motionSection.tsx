@@ -26,14 +26,14 @@ export function MotionSection() {
 }
 
 function Structure() {
-  const { structure } = useBook().typeset;
+  const { structure, forces } = useBook().typeset;
   return (
     <>
       <h4>{headings.structure}</h4>
       {structure.map((latex, i) => (
         <Formula key={i} latex={latex} title={`${headings.structure} ${i + 1}`} />
       ))}
-      <p class="hint">{equations.structureNote}</p>
+      {!forces && <p class="hint">{equations.structureNote}</p>}
     </>
   );
 }

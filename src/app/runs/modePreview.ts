@@ -1,6 +1,7 @@
 /** Eigenvectors on the stage: a mode as a motion that loops, and the way back to what was there. */
 import { effect, signal, untracked, type ReadonlySignal } from '@preact/signals';
-import { modeTrajectory, modeDuration, type ShownMode } from '../../core/control/linearization/modeTrajectory.ts';
+import type { ShownMode } from '../../core/control/linearization/modeTrajectory.ts';
+import type { Trajectory } from '../../core/motion/trajectory.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { SystemMeta, SystemView } from '../../core/model/system.ts';
@@ -17,6 +18,8 @@ export interface ModeRequest {
   scenario: ScenarioFile;
   title: string;
   mode: Omit<ShownMode, 'coordinates'>;
+  /** Its motion and how long it is shown (s): who asks has the code of it, the first view has not. */
+  motionOf(mode: ShownMode, growth: boolean): { trajectory: Trajectory; duration: number };
 }
 
 /** What stood on the stage before a mode, and how it was played. */
@@ -69,7 +72,8 @@ export class ModePreviewer {
     const { settings, runs, views, metas } = this.context;
     const scenario = checkScenario(request.scenario, metas);
     const system = views[scenario.system]!;
-    const trajectory = modeTrajectory({ ...request.mode, coordinates: system.meta.coordinates }, growth);
+    const mode = { ...request.mode, coordinates: system.meta.coordinates };
+    const { trajectory, duration } = request.motionOf(mode, growth);
     const suspended = this.preview.peek()?.suspended ?? this.present();
     this.preview.value = { request, growth, suspended };
     runs.show({
@@ -86,7 +90,7 @@ export class ModePreviewer {
       marks: [],
       judgement: null,
     });
-    settings.actions.setAll({ loop: true, speed: speedFor(modeDuration(request.mode.eigenvalue, growth), speeds) });
+    settings.actions.setAll({ loop: true, speed: speedFor(duration, speeds) });
   }
 
   /** Back to what was on the stage before. */

@@ -1,6 +1,7 @@
 /** A button that puts a mode on the stage. */
 import { Matrix } from 'ml-matrix';
 import type { ControlAnalysis } from '../../core/control/analysis.ts';
+import { modeMotion } from '../../core/control/linearization/modeTrajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { ModeRequest } from '../../app/runs/modePreview.ts';
 import { useUi } from '../../ui/context.ts';
@@ -23,6 +24,7 @@ export function modeRequest(
     scenario,
     title: words.mode(eigenvalueText(row.eigenvalue)),
     mode: { states, A: loop, eigenvalue: row.eigenvalue, shape: row.shape, q: point.q, v: point.v },
+    motionOf: modeMotion,
   };
 }
 

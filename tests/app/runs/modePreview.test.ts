@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import type { ModeRequest } from '../../../src/app/runs/modePreview.ts';
 import { speedFor } from '../../../src/app/runs/modePreview.ts';
 import { speeds } from '../../../src/app/state/playbackClock.ts';
+import { modeMotion } from '../../../src/core/control/linearization/modeTrajectory.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
 import { appOf } from '../appOf.ts';
 
@@ -20,6 +21,7 @@ const request: ModeRequest = {
     q: [0],
     v: [0],
   },
+  motionOf: modeMotion,
 };
 
 function playing() {

@@ -98,3 +98,14 @@ function chainOf(shape: readonly number[], times: (x: readonly number[]) => numb
 }
 
 const ROUNDING = 1e-9;
+
+/**
+ * A mode as a motion, and how long it is shown (s).
+ *
+ * @param mode what is shown
+ * @param growth false: as if the real part were 0
+ */
+export const modeMotion = (mode: ShownMode, growth: boolean): { trajectory: Trajectory; duration: number } => ({
+  trajectory: modeTrajectory(mode, growth),
+  duration: modeDuration(mode.eigenvalue, growth),
+});

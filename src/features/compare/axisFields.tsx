@@ -1,5 +1,5 @@
 import type { Signal } from '@preact/signals';
-import type { SweepPath } from '../../core/scenario/sweepAxes.ts';
+import type { SweepPath } from '../../core/scenario/sweepPaths.ts';
 import { words } from './words.ts';
 import { Check } from '../../ui/kit/controls.tsx';
 import { allMethods, offeredAxis, type AxisForm } from './sweepChoices.ts';

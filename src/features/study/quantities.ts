@@ -4,7 +4,7 @@ import { placeSymbol } from '../../core/motion/placeSymbol.ts';
 import { plainText, words as plain, type Text } from '../../core/motion/symbols.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
-import { sweepPaths, type SweepPath } from '../../core/scenario/sweepAxes.ts';
+import { sweepPaths, type SweepPath } from '../../core/scenario/sweepPaths.ts';
 import type { StudyColumn, StudyResults } from '../../core/sweep/studyResults.ts';
 import { formatScientific, formatShort, THIN } from '../../ui/kit/format.ts';
 import { text } from '../../ui/words.ts';

@@ -1,3 +1,4 @@
+import { MOST_SWEEP_RUNS } from './sweepAxes.ts';
 import { coordinateUnit, perSecond } from '../model/units.ts';
 import { inputsOf } from '../model/inputs.ts';
 import type { Scenario, ScenarioFile } from './types.ts';
@@ -13,6 +14,27 @@ export interface SweepPath {
   angle: boolean;
   /** What it is now, SI. */
   present: number;
+}
+
+/**
+ * `count` numbers from `from` to `to`, both included.
+ *
+ * @param from the first
+ * @param to the last
+ * @param count whole, 2 or more
+ * @param scale how they are spaced
+ * @throws Error with words for a field
+ */
+export function spaced(from: number, to: number, count: number, scale: 'linear' | 'logarithmic'): number[] {
+  if (!Number.isFinite(from) || !Number.isFinite(to)) throw new Error('from and to must be numbers');
+  if (!Number.isInteger(count) || count < 2 || count > MOST_SWEEP_RUNS)
+    throw new Error(`the number of values must be a whole number from 2 to ${MOST_SWEEP_RUNS}`);
+  if (from === to) throw new Error('from and to must differ');
+  if (scale === 'logarithmic' && !(from * to > 0)) throw new Error('a logarithmic range must not reach zero');
+  const at = (share: number): number => (scale === 'linear' ? from + share * (to - from) : from * (to / from) ** share);
+  return Array.from({ length: count }, (_, i) =>
+    i === 0 ? from : i === count - 1 ? to : Number(at(i / (count - 1)).toPrecision(13)),
+  );
 }
 
 /**

@@ -1,7 +1,9 @@
+import { useUi } from '../../ui/context.ts';
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
-import { ModeActions } from './modeActions.tsx';
 import { firstWords } from './firstWords.ts';
+
+const ModeActions = later(async () => (await import('./modeActions.tsx')).ModeActions);
 
 export const analysis: Feature = {
   id: 'analysis',
@@ -12,5 +14,5 @@ export const analysis: Feature = {
     size: 'wide',
     Body: later(async () => (await import('./analysisTool.tsx')).AnalysisTool),
   },
-  caption: ModeActions,
+  caption: () => (useUi().app.state.motion.value?.source === 'mode' ? <ModeActions /> : null),
 };

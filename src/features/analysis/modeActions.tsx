@@ -1,7 +1,7 @@
 /** While a mode is on the stage: with or without its growth, and the way back. */
 import { Toggle } from '../../ui/kit/controls.tsx';
 import { useUi } from '../../ui/context.ts';
-import { modeWords as words } from './firstWords.ts';
+import { modeWords as words } from './modeWords.ts';
 
 export function ModeActions() {
   const { state, actions } = useUi().app;

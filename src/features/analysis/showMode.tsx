@@ -7,7 +7,7 @@ import type { ModeRequest } from '../../app/runs/modePreview.ts';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { eigenvalueText, type ModeRow } from './modes.ts';
-import { modeWords as words } from './firstWords.ts';
+import { modeWords as words } from './modeWords.ts';
 
 /** Where the tool lies over the scene: it makes way. */
 const COVERED = '(min-width: 761px) and (max-width: 1240px)';

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { cases } from '../../../src/core/systems/registry.ts';
-import { spaced, withAxisValue, type SweepAxis } from '../../../src/core/scenario/sweepAxes.ts';
-import { sweepPaths } from '../../../src/core/scenario/sweepPaths.ts';
+import { withAxisValue, type SweepAxis } from '../../../src/core/scenario/sweepAxes.ts';
+import { spaced, sweepPaths } from '../../../src/core/scenario/sweepPaths.ts';
 import { extrasFor, RunMeasurer, type SweepMeasure } from '../../../src/core/motion/sweepMeasures.ts';
 import type { ScenarioFile } from '../../../src/core/scenario/types.ts';
 import { systems } from '../../../src/core/systems/all.ts';

@@ -10,7 +10,7 @@ export const bicycleRiderCases: readonly Case[] = [
     id: 'bicycle-rider-no-hands',
     title: 'Bicycle ridden without hands',
     source,
-    look: 'At 5 m/s nobody touches the bar: the only torque is the waist’s, between upper body and frame. It tips the frame against the body, the fork steers by itself, and the bicycle comes upright from two degrees.',
+    look: 'At 5 m/s the only torque is the waist’s, between upper body and frame. It tips the frame, the fork steers by itself, and the bicycle comes upright from two degrees.',
     picture: { time: 0.5, view: 'front' },
     scenario: {
       version: 1,
@@ -31,7 +31,7 @@ export const bicycleRiderCases: readonly Case[] = [
     id: 'bicycle-rider-firm',
     title: 'Bicycle under a firm waist',
     source,
-    look: 'Waist of 128 N·m/rad and 50 N·m·s/rad, no control at all, pushed at 5 m/s: the body sways back, and the bicycle rights itself.',
+    look: 'A waist of 128 N·m/rad and 50 N·m·s/rad and no control, pushed at 5 m/s: the bicycle rights itself.',
     picture: { time: 0.4, view: 'front' },
     scenario: {
       version: 1,
@@ -47,7 +47,7 @@ export const bicycleRiderCases: readonly Case[] = [
     id: 'bicycle-rider-limp',
     title: 'Bicycle under a limp rider',
     source,
-    look: 'The same without stiffness: the upper body topples like a pendulum upside down, growing by e every 0.14 s (7.30 per second at 5 m/s), and throws the frame the other way.',
+    look: 'The same without stiffness: the upper body topples with 7.30 1/s, and throws the frame the other way.',
     picture: { time: 0.85, view: 'front' },
     scenario: {
       version: 1,

@@ -26,7 +26,7 @@ export const ripstikRiderCases: readonly Case[] = [
     id: 'rider-balanced',
     title: 'Rider, balanced by the feet',
     source: '',
-    look: 'Three degrees of lean at 1 m/s. The rider’s ankles turn the plates, the casters follow, and the board is steered back under the body. The largest gain is 1,684 N·m per radian: the ankles give 88.2 N·m at most. Analysis, Curves over speed, shows the gain at other speeds.',
+    look: 'Three degrees of lean at 1 m/s. Ankles turn the plates, casters follow, and the board is steered back under the body. The largest gain is 1,684 N·m/rad: 88.2 N·m at most. Analysis has its curve over speed.',
     picture: { time: 0.3 },
     scenario: {
       version: 1,
@@ -41,7 +41,7 @@ export const ripstikRiderCases: readonly Case[] = [
     id: 'rider-fast',
     title: 'Rider at 5 m/s: a twelfth of the effort',
     source: '',
-    look: 'The same three degrees at 5 m/s. A little steer moves the board far, so the largest gain is 144 in place of 1,684, and the ankles give 7.5 N·m in place of 88.',
+    look: 'The same at 5 m/s, where a little steer moves the board far: the largest gain is 144 in place of 1,684, the ankles give 7.5 N·m in place of 88.',
     picture: { time: 0.6 },
     scenario: {
       version: 1,
@@ -56,7 +56,7 @@ export const ripstikRiderCases: readonly Case[] = [
     id: 'rider-standing',
     title: 'Rider who tries to stand still',
     source: '',
-    look: 'At rest casters do not steer: all that a turned plate does is to shift the wheels a little under the body. The regulator exists, with a gain of 58,226 N·m per radian: a fiftieth of a degree of lean takes 20 N·m, and from a tenth of a degree the rider falls. Balancing by the feet is a matter of speed.',
+    look: 'At rest a turned plate only shifts the wheels a little. The gain is 58,226 N·m/rad: a fiftieth of a degree takes 20 N·m, from a tenth the rider falls. To balance by the feet is a matter of speed.',
     picture: { time: 0.4 },
     scenario: {
       version: 1,
@@ -71,7 +71,7 @@ export const ripstikRiderCases: readonly Case[] = [
     id: 'rider-late',
     title: 'Rider whose feet answer late',
     source: '',
-    look: 'Half a degree at 1 m/s, held for 2 ms and 0.19 s late, which is how long a person takes to react. The delay margin is 0.2087 s: it swings and comes to rest only just. At 0.22 s the swing grows.',
+    look: 'Half a degree at 1 m/s, held for 2 ms and 0.19 s late, about as a person reacts. The delay margin is 0.2087 s: it swings and comes to rest only just. At 0.22 s the swing grows.',
     picture: { time: 0.8 },
     scenario: {
       version: 1,

@@ -19,6 +19,9 @@ import { MARKS } from './overlay/words.ts';
 export { NoWebGlError } from './environment/device.ts';
 
 const MAX_PIXEL_RATIO = 2;
+/** In a picture lower than this (CSS px) the buttons at its foot take much of it: all is drawn higher by this share of it. */
+const LOW = 380;
+const LIFT = 0.1;
 
 /** Takes over a canvas. Throws `NoWebGlError` when there is no WebGL 2; everything else is drawn on demand. */
 export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): SceneView {
@@ -253,11 +256,15 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       renderer.setPixelRatio(size.ratio);
       renderer.setSize(size.width, size.height, false);
       const aspect = size.width / size.height;
-      rig.setAspect(aspect);
+      rig.setAspect(aspect, size.height < LOW && !options.still ? LIFT : 0);
       measure();
       if (view === 'top' && shown && liesDown(before) !== liesDown(aspect)) go(true);
       else if (view !== 'rider') rig.dolly(focus.dolly(view, before, aspect, bodies));
-      requestRender();
+      // A canvas that changes its size is emptied: it must not be seen black until the next frame.
+      cancelAnimationFrame(requested);
+      requested = 0;
+      if (frames > 0 && !lost) render(performance.now());
+      else requestRender();
     },
     setBodyVisible(index, visible) {
       bodies.setVisible(index, visible);

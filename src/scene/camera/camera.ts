@@ -61,9 +61,9 @@ export class CameraRig {
     this.controls.enableDamping = !reduced;
   }
 
-  setAspect(aspect: number): void {
-    this.camera.aspect = aspect;
-    this.camera.updateProjectionMatrix();
+  /** @param lift shares of the height by which all is drawn higher than in the middle */
+  setAspect(aspect: number, lift = 0): void {
+    this.camera.setViewOffset(aspect, 1, 0, lift, aspect, 1);
   }
 
   /** Goes to a place: at once, or gliding where motion is welcome. */

@@ -44,6 +44,8 @@ export interface Meaning extends Pick<ImportPlan, 'system' | 'long' | 'width' | 
 const NO_HEADER = 'there is no header row, and';
 /** A group of rotations has an x too, which is no position. */
 const NOT_MEANT = /(?:^|\.)rotation\.[xyz]$/i;
+/** What a school's logger names beside each column is a run. */
+const RUN = /^(?:run|trial|set|take|data ?set)\b/i;
 /** Bodies that a question offers. */
 const MOST_OFFERED = 20;
 
@@ -123,7 +125,7 @@ function offered(
   const shown = (name: string): string => (name === '' ? 'the one without a name' : name);
   const question: Question = {
     id: 'several-bodies',
-    text: `The file holds ${bodies.length} bodies: which one?`,
+    text: `The file holds ${bodies.length} ${bodies.every((name) => RUN.test(name)) ? 'runs side by side' : 'bodies'}: which one?`,
     answers: bodies.slice(0, MOST_OFFERED).map((name) => ({ label: shown(name), choices: { body: name } })),
     safest: Math.max(0, bodies.indexOf(body)),
     first: false,
@@ -214,7 +216,7 @@ function meaningWith(
         body.name,
         choices,
         meaning,
-        'several bodies',
+        bodies.every(({ name }) => RUN.test(name)) ? 'several runs side by side' : 'several bodies',
       ),
     );
   const ordered = used?.doubtful ? inOrder(used, work, meaning) : used;

@@ -102,8 +102,14 @@ function layoutNotes(layout: Layout): string[] {
   if (layout.unitsLine !== null) notes.push(`units are in line ${layout.unitsLine}`);
   const first = layout.headerLines[0];
   if (first !== undefined && first > 1 && layout.properties.length > 0)
-    notes.push(`the header is in line ${layout.headerLines.join(', ')}`);
+    notes.push(`the header is in ${linesOf(layout.headerLines)}`);
   return notes;
+}
+
+function linesOf(lines: readonly number[]): string {
+  const [first, last] = [lines[0]!, lines.at(-1)!];
+  if (lines.length === 1) return `line ${first}`;
+  return last - first === lines.length - 1 ? `lines ${first} to ${last}` : `lines ${lines.join(', ')}`;
 }
 
 /** Hardly a row is whole, though every coordinate has values: sensors wrote at times of their own. */

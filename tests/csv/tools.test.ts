@@ -287,6 +287,18 @@ describe('several bodies', () => {
   });
 });
 
+test('runs beside each other, named behind each column', () => {
+  const text = table(
+    ['Run #1', 'Run #2']
+      .flatMap((run) => ['Time (s)', 'x (m)', 'y (m)', 'theta (rad)'].map((n) => `${n} ${run}`))
+      .join() + '\n',
+    base.map((b) => [...b.map((cell) => f(+cell / 2)), ...b]),
+  );
+  const question = motionOf(text).questions.find((q) => q.id === 'several-bodies')!;
+  expect(question.text).toBe('The file holds 2 runs side by side: which one?');
+  expectCircle(motionOf(text, { choices: question.answers[1]!.choices }));
+});
+
 test('several runs: the first is read, the others can be chosen', () => {
   const text = table('t,x,y,theta\n', [...base, ...base.slice(0, 50), ...base.slice(0, 60)]);
   const first = motionOf(text);

@@ -42,12 +42,15 @@ export function columnsOf(
     const other = best.get(hit.word.name);
     if (other === undefined || hit.rank < hits[other]!.rank) best.set(hit.word.name, i);
   }
+  const titles = new Map<string, number>();
+  for (const { title } of sources) titles.set(title, (titles.get(title) ?? 0) + 1);
   const ignored: string[] = [];
   const converted: string[] = [];
   const renamed: string[] = [];
   for (const source of sources) {
     const { index } = source;
-    const title = shortened(source.title) || source.name;
+    // `X` of one body and of the other: by their full names.
+    const title = (titles.get(source.title)! > 1 ? '' : shortened(source.title)) || shortened(source.name);
     const part = attitude ? attitude.columns.indexOf(index) : -1;
     const hit = hits[index];
     const plain: ColumnPlan = { ...blank(source), title };

@@ -164,6 +164,7 @@ test.describe('on a phone', () => {
     const watch = await openWithoutScene(page);
     await drop(page, 'sleigh.csv', sleigh);
     await expect(page.getByTestId('tab-import')).toHaveAttribute('aria-selected', 'true');
+    await expect(page.getByTestId('tab-import')).toBeInViewport({ ratio: 0.9 });
     await tabTo(page, 'tool-answer-degrees-1');
     await page.keyboard.press('Enter');
     await expect(page.getByTestId('tool-question-degrees')).toHaveCount(0);

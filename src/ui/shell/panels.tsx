@@ -117,6 +117,14 @@ export function Tools() {
   );
 }
 
+/** A tab that comes forward by itself, as a file's does, may stand beyond the strip's end. */
+function bringIntoStrip(tab: HTMLElement): void {
+  const strip = tab.parentElement!;
+  const [own, all] = [tab.getBoundingClientRect(), strip.getBoundingClientRect()];
+  if (own.left < all.left) strip.scrollLeft -= all.left - own.left;
+  else if (own.right > all.right) strip.scrollLeft += own.right - all.right;
+}
+
 export function Sheet() {
   const { app, tools } = useUi();
   const { state, actions } = app;
@@ -132,6 +140,10 @@ export function Sheet() {
   });
   useSignalEffect(() => {
     if (state.wantedField.value && panel) current.value = panel.id;
+  });
+  useSignalEffect(() => {
+    const tab = document.getElementById(`tab-${current.value}`);
+    if (tab) bringIntoStrip(tab);
   });
   const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
     ...(panel ? [{ ...panel, there: true }] : []),

@@ -1,6 +1,7 @@
 /** A model as what the rest of the program takes: a view at once, a system when its equations are derived. */
 import type { ConstraintSet, ConstraintSetMeta, ContactMeta, System, SystemMeta, SystemView } from '../model/system.ts';
 import { checkEquations, solvedFor } from './checks.ts';
+import { timeFormulas } from './timeFormulas.ts';
 import { equationsOf, jacobianOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
 import { meshOf } from './drawing.ts';
@@ -125,10 +126,14 @@ export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions
     constraintSets: Object.fromEntries(
       equations.sets.map((set, k) => [set.id, constraintSet(model, view.meta, equations, k, a)]),
     ),
-    ...(model.clock === null ? {} : { clock: model.clock }),
+    ...(model.clock === null ? {} : { clock: model.clock, timeFormulas: timeFormulas(model, resultsOf(equations)) }),
     ...crossings(model),
   };
 }
+
+/** All that the equations of every constraint set are computed from. */
+const resultsOf = ({ M, h, sets }: Equations): Id[] =>
+  [M, h, ...sets.flatMap(({ omega, gamma }) => [omega, gamma])].flat();
 
 /** A function that is derived when it is first called. */
 function lazy(model: Model, make: () => [inputs: Arrays, outputs: Arrays]): Call {
@@ -252,6 +257,7 @@ function firstOrderSystem(model: Model, view: SystemView): System {
     poseJacobian: (...all) => poseJacobian(...all),
     constraintSets: {},
     firstOrder: { rate: (...all) => rate(...all), jacobian: (...all) => jacobian(...all) },
+    ...(model.clock === null ? {} : { timeFormulas: timeFormulas(model, f) }),
     ...crossings(model),
   };
 }

@@ -308,6 +308,15 @@ export interface TrackedContact {
   worldLateral: readonly string[];
 }
 
+/** A formula of t as a tree, as `scenario/expressions/tree.ts` has it. */
+export interface TimeFormula {
+  readonly op: string;
+  readonly args: readonly TimeFormula[];
+  readonly x: number;
+  readonly constant: boolean;
+  decided: number;
+}
+
 export interface System extends SystemView {
   /** Mass matrix (n x n, both triangles) and h (n) at q, v. */
   mechanics(q: Float64Array, v: Float64Array, p: Float64Array, massMatrix: Float64Array, h: Float64Array): void;
@@ -340,6 +349,12 @@ export interface System extends SystemView {
   }[];
   /** Index of the coordinate that is the time; see the meta. */
   clock?: number;
+  /**
+   * What the equations hold of the time alone, so that steps don't pass over what it does.
+   * @param p parameters
+   * @param ahead what the clock is ahead of t, s
+   */
+  timeFormulas?: (p: Float64Array, ahead: number) => readonly TimeFormula[];
   /** The events of the meta. */
   crossings?: readonly {
     id: string;

@@ -65,8 +65,12 @@ export function formulaTree(text: string, variables: readonly string[]): Node {
   return new Compiler(plainText(text, variables), variables, true).compile();
 }
 
-/** Doubles first; where a number left their range, beyond it; where the formula has no value, its limit. */
-function compiled(tree: Node): CompiledExpression {
+/**
+ * Doubles first; where a number left their range, beyond it; where the formula has no value, its limit.
+ *
+ * @param tree of a formula of t
+ */
+export function compiled(tree: Node): CompiledExpression {
   const closures = closuresOf(tree);
   const value = (t: number): number => {
     mark.lost = false;

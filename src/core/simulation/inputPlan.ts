@@ -1,4 +1,5 @@
-import type { CompiledExpression } from '../scenario/expressions.ts';
+import type { System } from '../model/system.ts';
+import { compiled, type CompiledExpression } from '../scenario/expressions.ts';
 import { Schedule, type ScheduleOptions } from '../scenario/expressions/schedule.ts';
 import { REACH_OF_ONE, REACH_OF_STAGES } from '../scenario/expressions/pace.ts';
 import type { Scenario } from '../scenario/types.ts';
@@ -110,4 +111,30 @@ export class InputPlan {
     }
     return null;
   }
+}
+
+/**
+ * A plan with what the equations of a system hold of the time: what is driven by it, forces that it gives.
+ *
+ * @param plan of the inputs, to which it is added; null: none
+ * @param options for a new one
+ * @param system that the run is of
+ * @param parameters of the system
+ * @param q coordinates at the start, n
+ * @returns null where there is nothing to plan for
+ */
+export function planOfTime(
+  plan: InputPlan | null,
+  options: PlanOptions,
+  system: System,
+  parameters: Float64Array,
+  q: Float64Array,
+): InputPlan | null {
+  const { meta, timeFormulas } = system;
+  if (!timeFormulas) return plan;
+  const clock = meta.coordinates.findIndex(({ name }) => name === meta.clock);
+  const all = plan ?? new InputPlan(options);
+  for (const tree of timeFormulas(parameters, q[clock]! - options.from))
+    all.add(compiled(tree), 'what is given by t', false);
+  return all.idle ? null : all;
 }

@@ -5,7 +5,7 @@ import { consistentStart, type StartAdjustment } from '../mechanics/consistentSt
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
 import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
-import { sightOf, type InputPlan } from './inputPlan.ts';
+import { planOfTime, sightOf, type InputPlan, type PlanOptions } from './inputPlan.ts';
 import { dipBetween } from './dip.ts';
 import { failureMessage } from './failureMessage.ts';
 import type { Saturation } from './saturation.ts';
@@ -68,6 +68,9 @@ const CHUNK_ROWS = 512;
 /** A time closer than this (s) to one that was to be reached is that time. */
 const REACHED = 1e-9;
 
+/** A clock that goes along with t is it to this, beside itself or 1 s. */
+const CLOCK_ROUNDING = 8 * Number.EPSILON;
+
 /** A fixed step that passes over less than this part of an input is as good as its method is. */
 const SMALL_PART = 1e-3;
 
@@ -116,6 +119,9 @@ export class Simulation {
   /** A controller's limit to be reached or left, and when: steps end there. */
   private turning: { saturation: Saturation; time: number } | null = null;
   private turns = 0;
+  /** Index of the coordinate by which equations take the time, or -1; and what it is ahead of t, s. */
+  private readonly clock: number;
+  private readonly ahead: number;
   /** State at the start of the step, where controllers have limits. */
   private readonly before: Float64Array;
   private readonly projection: Projection;
@@ -167,18 +173,20 @@ export class Simulation {
     const stepped = this.actuation.forcing
       ? actuationOf(scenario, meta, feedback, planned, this.actuation.held)
       : this.actuation;
-    this.plan = stepped.plan;
     const start = from
       ? { q: Float64Array.from(from.q), v: Float64Array.from(from.v), adjustments: [], notes: [] }
       : consistentStart(system, parameters, scenario.constraints, hold, scenario.initial);
     this.adjustments = start.adjustments;
-    const unresolved = stepped.plan && fixedStepOf(scenario.method);
+    const withTime = (plan: InputPlan | null, options: PlanOptions): InputPlan | null =>
+      planOfTime(plan, options, system, parameters, start.q);
+    this.plan = withTime(stepped.plan, planned);
+    this.clock = system.timeFormulas ? meta.coordinates.findIndex(({ name }) => name === meta.clock) : -1;
+    this.ahead = this.clock < 0 ? 0 : start.q[this.clock]! - startTime;
+    const unresolved = this.plan && fixedStepOf(scenario.method);
+    const closely = { ...planned, quiet: SMALL_PART, reach: REACH_OF_ONE };
     this.warnings = [
       ...(unresolved
-        ? tooFast(
-            actuationOf(scenario, meta, feedback, { ...planned, quiet: SMALL_PART, reach: REACH_OF_ONE }).plan,
-            unresolved,
-          )
+        ? tooFast(withTime(actuationOf(scenario, meta, feedback, closely).plan, closely), unresolved)
         : []),
       ...(feedback && !from ? turnWarnings(turnsAway(meta, start.q, feedback.values())) : []),
     ];
@@ -236,7 +244,15 @@ export class Simulation {
   again(scenario: Scenario): boolean {
     const { system, dynamics, rowDynamics, hand, actuation, charts } = this;
     const { name, formulation = MULTIPLIERS } = scenario.method;
-    if (hand || charts || actuation.forcing || system.firstOrder || name === 'ida' || formulation !== MULTIPLIERS)
+    if (
+      hand ||
+      charts ||
+      actuation.forcing ||
+      system.timeFormulas ||
+      system.firstOrder ||
+      name === 'ida' ||
+      formulation !== MULTIPLIERS
+    )
       return false;
     if (scenario.hold.length > 0 || frameOf(scenario) !== frameOf(this.scenario)) return false;
     const values = system.meta.parameters.map((p) => scenario.parameters[p.name]!);
@@ -414,7 +430,12 @@ export class Simulation {
     }
     if (!jumps) return;
     this.dynamics.forget();
-    stepper.restart();
+    if (this.clock < 0) return stepper.restart();
+    // The equations decide by their clock, which is t but for rounding: from now on it is beyond what switched at t.
+    const now = t + this.ahead;
+    endQ[this.clock] = now + CLOCK_ROUNDING * Math.max(1, Math.abs(now));
+    if (this.projecting) this.projection.project(t, endQ, endV, true);
+    this.restart();
   }
 
   /**

@@ -1,6 +1,7 @@
 /** Curves and points in a frame. */
 import { interpolate } from '../core/motion/interpolation.ts';
-import { decimated, Envelope } from '../core/motion/envelope.ts';
+import { decimated } from '../core/motion/decimated.ts';
+import { Envelope } from '../core/motion/envelope.ts';
 import type { Text } from '../core/motion/symbols.ts';
 import { toX, toY, type Extent, type Frame, type Mark } from './frame.ts';
 import { Pen } from './pen.ts';

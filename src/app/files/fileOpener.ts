@@ -17,7 +17,7 @@ import { ownCase, type CaseInfo } from '../state/cases.ts';
 import type { ExperimentState } from '../state/experiment.ts';
 import type { MessageActions } from '../state/messages.ts';
 import { kindOf } from './fileKind.ts';
-import { mergedChoices, remembering } from './importChoices.ts';
+import { mergedChoices, remembering } from './mergedChoices.ts';
 import type { SettingsSlice } from '../state/settings.ts';
 import type { FileSlice } from './fileState.ts';
 import type { SampleInfo } from './samples.ts';

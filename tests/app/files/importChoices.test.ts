@@ -1,7 +1,8 @@
 // What is chosen for a file's reading: later over earlier, remembered by shape, and read like a stranger's text.
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { choicesFrom, mergedChoices, remembering, rememberedFrom } from '../../../src/app/files/importChoices.ts';
+import { choicesFrom, rememberedFrom } from '../../../src/app/files/importChoices.ts';
+import { mergedChoices, remembering } from '../../../src/app/files/mergedChoices.ts';
 import { kindOf } from '../../../src/app/files/fileKind.ts';
 import type { ImportChoices } from '../../../src/csv/plan.ts';
 

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { decimated, Envelope } from '../../../src/core/motion/envelope.ts';
+import { decimated } from '../../../src/core/motion/decimated.ts';
+import { Envelope } from '../../../src/core/motion/envelope.ts';
 import { seeded } from '../../helpers.ts';
 
 const SEED = 20171208;

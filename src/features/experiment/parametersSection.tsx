@@ -1,4 +1,5 @@
 import { MathSymbol } from '../../charts/textView.tsx';
+import { showsAny, shownFirst } from '../../core/model/shown.ts';
 import type { ParameterMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
@@ -14,9 +15,10 @@ export function ParametersSection() {
   if (!meta) return null;
   const draft = ui.app.state.draft.value;
   const sets = Object.keys(meta.parameterSets);
-  const groups = [...new Set(meta.parameters.map((p) => p.group))];
+  const parameters = shownFirst(meta.parameters, meta);
+  const groups = [...new Set(parameters.map((p) => p.group))];
   return (
-    <Section title={words.parameters}>
+    <Section title={words.parameters} open={showsAny(parameters, meta)}>
       {sets.length > 1 && (
         <Choice
           label={words.parameterSet}
@@ -32,7 +34,7 @@ export function ParametersSection() {
       {groups.map((group) => (
         <fieldset key={group} class="group">
           <legend>{group}</legend>
-          {meta.parameters
+          {parameters
             .filter((p) => p.group === group)
             .map((p) => (
               <ParameterField key={`${meta.id}.${p.name}`} meta={meta} parameter={p} />

@@ -3,6 +3,7 @@ import { useId, useState } from 'preact/hooks';
 import type { Adjustment } from '../../app/runs/motion.ts';
 import type { CoordinateMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
+import { shownFirst } from '../../core/model/shown.ts';
 import { coordinateUnit, rateUnit } from '../../core/model/units.ts';
 import { Section } from '../../ui/kit/controls.tsx';
 import { withEntry } from '../../app/state/draft.ts';
@@ -32,7 +33,7 @@ export function StartSection() {
         <span>{words.value}</span>
         {system.meta.order !== 1 && <span>{words.rate}</span>}
       </div>
-      {system.meta.coordinates.map((c) => (
+      {shownFirst(system.meta.coordinates, system.meta).map((c) => (
         <StartRow
           key={`${system.meta.id}.${c.name}`}
           coordinate={c}

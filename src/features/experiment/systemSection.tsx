@@ -107,6 +107,9 @@ export function SystemSection() {
         </div>
       )}
       <Title />
+      <button type="button" class="quiet" data-testid="duplicate" onClick={() => ui.app.actions.set('tool', 'own')}>
+        {words.duplicate}
+      </button>
     </Section>
   );
 }

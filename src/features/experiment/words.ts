@@ -8,6 +8,7 @@ export const words = {
   title: 'Experiment',
   name: 'Title, for links and exports',
   system: 'System',
+  duplicate: 'Duplicate and change',
   constraints: 'Constraints',
   hold: 'Held coordinates',
   start: 'Start',

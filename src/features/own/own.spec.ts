@@ -1,15 +1,20 @@
-/** One's own system in the page: a pendulum is typed, a mistake is told at its line and mended, it runs and is shared. */
+/** One's own system in the page: a pendulum is typed, three mistakes are told at their lines and mended, it runs, is balanced and shared. */
 import { expect, test } from '@playwright/test';
 import { openWithoutScene, withoutScene } from '../../../tests/browser/helpers.ts';
 
 interface Shown {
   run: { value: { kind: string; reason?: string } | null };
-  motion: { value: { system: { meta: { title: string } } } | null };
+  motion: {
+    value: {
+      system: { meta: { title: string } };
+      trajectory: { column(name: string): Float64Array };
+    } | null;
+  };
 }
 
 test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 
-test('a pendulum is typed, mended, run and shared', async ({ page, context }) => {
+test('a pendulum is typed, mended, run, balanced, shared and restored', async ({ page, context }) => {
   const { errors } = await openWithoutScene(page);
   const ran = (title: RegExp) =>
     expect
@@ -29,16 +34,39 @@ test('a pendulum is typed, mended, run and shared', async ({ page, context }) =>
   await ran(/^Cart and pendulum end$/);
   await expect(page.getByTestId('system')).toContainText('Cart and pendulum');
 
-  // At the end: a spring, at first between names that are not there.
+  await expect(page.getByTestId('own-formulas').locator('math')).not.toHaveCount(0);
+
+  // At the end: three mistakes, each told at its line and mended; the last right system stays meanwhile.
   await text.click();
   await page.keyboard.press('Control+End');
-  await page.keyboard.insertText('potential 1/2 5 Y^2');
-  await expect(state).toHaveAttribute('data-state', 'faults');
-  await expect(state).toContainText(/Line \d+: .*Y/);
-  for (let i = 0; i < 3; i++) await page.keyboard.press('Backspace');
-  await page.keyboard.insertText('X^2');
+  const types = async (line: string, said: RegExp) => {
+    await page.keyboard.insertText(line);
+    await expect(state).toHaveAttribute('data-state', 'faults');
+    await expect(state).toContainText(said);
+    await expect(page.getByTestId('own-formulas').locator('math')).not.toHaveCount(0);
+    for (let i = 0; i < line.length; i++) await page.keyboard.press('Backspace');
+  };
+  await types('potential 1/2 5 Y^2', /Line \d+: .*Y/);
+  await types('velocity X theta', /Line \d+: /);
+  await types('potental X^2', /Line \d+: .*begins no statement/);
+  await page.keyboard.insertText('potential 1/2 5 X^2');
   await expect(state).toHaveAttribute('data-state', 'fine');
   await ran(/^Cart and pendulum end$/);
+
+  // Balanced upright by a regulator that is designed here.
+  await page.getByTestId('initial-theta').fill('85');
+  await page.getByTestId('initial-theta').press('Enter');
+  await page.locator('summary', { hasText: 'Control' }).first().click();
+  await page.getByTestId('control').selectOption('lqr');
+  await expect
+    .poll(() =>
+      page.evaluate(() => {
+        const { run, motion } = (window as unknown as { ripstikApp: { state: Shown } }).ripstikApp.state;
+        const at = motion.value?.trajectory;
+        return run.value?.kind === 'ended' && at ? Math.abs(at.column('theta').at(-1)! - Math.PI / 2) : 9;
+      }),
+    )
+    .toBeLessThan(0.05);
 
   await page.getByTestId('share').click();
   await expect(page.getByTestId('message')).toContainText('Link copied');
@@ -48,5 +76,9 @@ test('a pendulum is typed, mended, run and shared', async ({ page, context }) =>
   await other.goto(link);
   await expect(other.getByTestId('system')).toContainText('Cart and pendulum');
   await expect(other.getByTestId('run-state')).toHaveAttribute('data-reason', 'end');
+  await other.close();
+  await page.reload();
+  await expect(page.getByTestId('system')).toContainText('Cart and pendulum');
+  await expect(page.getByTestId('control')).toHaveValue('lqr');
   expect(errors).toEqual([]);
 });

@@ -73,6 +73,7 @@ export function OwnTool() {
     let gone = false;
     void firstText(ui).then(({ text, title, id }) => {
       if (gone) return;
+      begun.value = ui.system.peek()?.meta.id ?? null;
       names.current = readSystem(text).names;
       editor.current = createEditor(place.current!, text, () => names.current, soon);
       standing.value = { kind: 'untouched', title, id };
@@ -92,9 +93,12 @@ export function OwnTool() {
   };
   const now = standing.value;
   // What was right last stays to be read while a line is not.
+  const shown = ui.system.value?.meta;
   const last = useRef<string | null>(null);
+  const begun = useSignal<string | null>(null);
   if (now.kind === 'fine' || now.kind === 'untouched') last.current = now.id;
   const id = last.current;
+  const editing = id ?? begun.value;
   const title = now.kind === 'fine' || now.kind === 'untouched' ? now.title : '';
   return (
     <div class="own" data-testid="own">
@@ -148,6 +152,17 @@ export function OwnTool() {
           {words.save}
         </button>
       </div>
+      {shown && shown.id !== editing && (
+        <button
+          type="button"
+          data-testid="own-duplicate"
+          onClick={() => {
+            void firstText(ui).then((first) => put(first.text));
+          }}
+        >
+          {words.duplicate(shown.title)}
+        </button>
+      )}
       <div class="own-editor" ref={place} />
       <div class="own-state" role="status" data-testid="own-state" data-state={now.kind}>
         <State now={now} onGo={(line) => editor.current?.goTo(line)} />

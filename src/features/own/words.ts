@@ -6,6 +6,7 @@ export const words = {
   choose: 'a template …',
   open: 'Open a file',
   save: 'Save as a file',
+  duplicate: (title: string) => `Duplicate ${title}`,
   editor: 'Description of your own system',
   fine: (title: string) => `${title} is in the panel and on the stage.`,
   untouched: (title: string) => `This is ${title}, typed. Change a line, and the system is yours.`,

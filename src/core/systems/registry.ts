@@ -5,6 +5,7 @@
 import type { Case } from '../cases/case.ts';
 import { type Drawing, valueOf } from '../geometry/drawing.ts';
 import { LONGEST_FILE } from '../scenario/defaults.ts';
+import { descriptionIn } from '../scenario/own.ts';
 import type { SystemReading } from '../description/index.ts';
 import { defineSystem } from '../model/defineSystem.ts';
 import type { System, SystemMeta, SystemView } from '../model/system.ts';
@@ -17,7 +18,6 @@ import { casterRotation } from './caster-rotation/index.ts';
 import { casterboardRobot } from './casterboard-robot/index.ts';
 import { chaplyginSleigh } from './chaplygin-sleigh/index.ts';
 import type { SystemFolder } from './folder.ts';
-import { drawOwn, learn, learnFrom, loadOwn, typesetOwn } from './own.ts';
 import { ripstik } from './ripstik/index.ts';
 import { ripstikRider } from './ripstik-rider/index.ts';
 import { rollingWheel } from './rolling-wheel/index.ts';
@@ -59,6 +59,11 @@ export const systemMetas: Readonly<Record<string, SystemMeta>> = new Proxy({} as
       : undefined,
 });
 
+/** What reads descriptions comes with the first of them. */
+const own = () => import('./own.ts');
+const isDescribed = (id: string): boolean =>
+  Object.hasOwn(systemViews, id) && systemViews[id]!.meta.description !== undefined;
+
 /**
  * Reads a description, whose system is known by its id from then on.
  *
@@ -67,10 +72,12 @@ export const systemMetas: Readonly<Record<string, SystemMeta>> = new Proxy({} as
  * @throws ScenarioError
  */
 export const learnSystem = (text: string, reading?: SystemReading): Promise<SystemView> =>
-  learn(text, systemViews, reading);
+  own().then(({ learn }) => learn(text, systemViews, reading));
 
 /** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
-export const learnSystemOf = (raw: unknown): Promise<void> => learnFrom(raw, systemViews);
+export async function learnSystemOf(raw: unknown): Promise<void> {
+  if (descriptionIn(raw) !== null) await (await own()).learnFrom(raw, systemViews);
+}
 
 /**
  * The same for the text of a scenario's file, whatever else is wrong with it.
@@ -113,7 +120,7 @@ const loaded = new Map<string, Promise<System>>();
  */
 export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  if (!folder) return loadOwn(id, systemViews);
+  if (!folder) return isDescribed(id) ? own().then(({ loadOwn }) => loadOwn(id, systemViews)!) : undefined;
   const { jacobians = true, tape = true } = parts;
   const key = `${id} ${jacobians} ${tape}`;
   const known = loaded.get(key);
@@ -142,7 +149,8 @@ async function systemIn(folder: SystemFolder, jacobians: boolean, tape: boolean)
  */
 export function loadTypeset(id: string): Promise<Typeset> | undefined {
   const folder = folders.get(id);
-  return folder ? folder.typeset().then((module) => module.default as Typeset) : typesetOwn(id, systemViews);
+  if (folder) return folder.typeset().then((module) => module.default as Typeset);
+  return isDescribed(id) ? own().then(({ typesetOwn }) => typesetOwn(id, systemViews)!) : undefined;
 }
 
 /**
@@ -154,9 +162,15 @@ export function loadTypeset(id: string): Promise<Typeset> | undefined {
 export async function loadDrawing(meta: SystemMeta, parameters: Readonly<Record<string, number>>): Promise<Drawing> {
   const [{ drawingFrom }, drawn] = await Promise.all([
     import('../geometry/drawings.ts'),
-    folders.get(meta.id)?.drawing?.() ?? drawOwn(meta.id, systemViews).then((draw) => draw && { draw }),
+    folders.get(meta.id)?.drawing?.() ?? drawnOwn(meta.id),
   ]);
   return drawingFrom(meta, drawn?.draw(valueOf(meta, parameters)));
+}
+
+async function drawnOwn(id: string) {
+  if (!isDescribed(id)) return undefined;
+  const draw = await (await own()).drawOwn(id, systemViews);
+  return draw && { draw };
 }
 
 /** Parameters that shape a system's meshes; undefined where any of them may. */

@@ -1,10 +1,11 @@
 /** Copies a link to what is in the panel; on a phone it is handed to the system's own sheet. */
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
-import { Dialog } from '../../ui/kit/dialog.tsx';
+import { later } from '../../ui/kit/later.tsx';
 import { words } from './words.ts';
+
+const LinkDialog = later(async () => (await import('./linkDialog.tsx')).LinkDialog);
 
 const load = () => import('../../app/persistence/links.ts');
 /** What fails here is told when it is pressed. */
@@ -67,26 +68,4 @@ async function handedOver(title: string, url: string): Promise<boolean> {
   } catch (error) {
     return (error as Error).name === 'AbortError';
   }
-}
-
-function LinkDialog({ link, onClose }: { link: string; onClose(): void }) {
-  const field = useRef<HTMLInputElement>(null);
-  useEffect(() => {
-    field.current?.focus();
-    field.current?.select();
-  }, []);
-  return (
-    <Dialog title={words.dialog} testId="share-dialog" onClose={onClose}>
-      <p class="hint">{words.copyHint}</p>
-      <input
-        ref={field}
-        class="link-field"
-        readOnly
-        value={link}
-        aria-label={words.field}
-        data-testid="share-link"
-        onFocus={(event) => event.currentTarget.select()}
-      />
-    </Dialog>
-  );
 }

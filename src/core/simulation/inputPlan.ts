@@ -19,8 +19,13 @@ const FIXED_ROOM = 5;
 /** After the first place that a fixed step passes over, so many windows are looked at for the shortest step. */
 const MOST_WINDOWS = 200;
 
-/** How closely a run of a method has to look at its inputs. */
-export function sightOf({ name, rtol, stages }: Scenario['method']): Pick<PlanOptions, 'quiet' | 'reach'> {
+/**
+ * How closely a run of a method has to look at its inputs.
+ *
+ * @param method of the scenario: its name, relative tolerance and stages
+ */
+export function sightOf(method: Scenario['method']): Pick<PlanOptions, 'quiet' | 'reach'> {
+  const { name, rtol, stages } = method;
   return {
     quiet: Math.min(MOST_UNSEEN, Math.max(LEAST_UNSEEN, UNSEEN * rtol)),
     reach: oneValue.has(name) || stages === 1 ? REACH_OF_ONE : REACH_OF_STAGES,

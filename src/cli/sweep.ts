@@ -26,6 +26,8 @@ export interface SweepOptions {
 const BATCH = 16;
 /** Between two lines of progress: on a terminal, and where it is kept, ms. */
 const TELL_MS = [250, 10_000] as const;
+/** Rows that are kept in memory until the table is written; more would end the program after hours of work. */
+const MOST_ROWS = 4_000_000;
 /** Refused runs that are told with their reason. */
 const MOST_TOLD = 5;
 
@@ -45,6 +47,11 @@ export async function sweep(name: string | undefined, options: SweepOptions): Pr
   const text = readText(name);
   const { study, written, system } = await loadStudy(text);
   checkMeasures(study, system, systemMetas);
+  const rowsOfPart = Math.ceil((study.runs - part + 1) / parts);
+  if (rowsOfPart > MOST_ROWS)
+    throw new UsageError(
+      `${rowsOfPart} runs are more than one table takes, ${MOST_ROWS}; split the study: --shard 1/${Math.ceil(study.runs / MOST_ROWS)}, and so on`,
+    );
   const facts = { study: written, shard: `${part}/${parts}` };
   const path = pathOf(out);
   if (options.resume && existsSync(path) && !existsSync(`${path}.unfinished`)) {

@@ -69,6 +69,16 @@ test('all at once, in two parts, and killed and gone on with: the same rows, to 
   expect(readdirSync(folder).sort()).toEqual(['killed.parquet', 'part.parquet', 'study.json', 'whole.parquet']);
 }, 240_000);
 
+test('a study too large for one table is told before anything runs, with the parts that would do', () => {
+  const { file, out } = place();
+  writeFileSync(file, JSON.stringify({ ...STUDY, sample: { kind: 'random', count: 9_000_000 } }));
+  const { status, stderr } = sweep(file, '--out', out('x.parquet'), '--shard', '1/2');
+  expect([status, stderr]).toEqual([
+    2,
+    'ripstik: 4500000 runs are more than one table takes, 4000000; split the study: --shard 1/3, and so on\n',
+  ]);
+});
+
 test('a call that cannot be carried out is one line', () => {
   const { file, out } = place();
   for (const [args, words] of [

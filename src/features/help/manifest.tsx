@@ -1,7 +1,7 @@
 import './help.css';
 import type { Feature } from '../../ui/feature.ts';
 import { later } from '../../ui/kit/later.tsx';
-import { words } from './words.ts';
+import { firstWords as words } from './firstWords.ts';
 
 export const help: Feature = {
   id: 'help',

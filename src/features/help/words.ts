@@ -1,9 +1,8 @@
+import { firstWords } from './firstWords.ts';
+
 /** Words of the help. */
 export const words = {
-  terms: 'Words',
-  about: 'About',
-  licences: 'Licences',
-  documents: 'Documents',
+  ...firstWords,
   back: 'All documents',
   version: (version: string) => `RipStik Lab ${version}`,
   aboutParts: [

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vitest/config';
 import { chunkList } from './scripts/chunks.ts';
+import { fileOf } from './scripts/fewerFiles.ts';
 import { licences } from './scripts/licences.ts';
 import { leanThree } from './scripts/leanThree.ts';
 import { offline } from './scripts/offline.ts';
@@ -48,7 +49,12 @@ export default defineConfig({
     sourcemap: false,
     chunkSizeWarningLimit: 1500,
     assetsInlineLimit: (file) => (file.endsWith('.woff2') ? false : undefined),
-    rolldownOptions: { output: { chunkFileNames } },
+    rolldownOptions: {
+      output: {
+        chunkFileNames,
+        codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: fileOf() }] },
+      },
+    },
   },
   test: {
     include: ['tests/**/*.test.{ts,tsx}', 'src/features/**/*.test.{ts,tsx}', 'tools/**/*.test.ts'], // *.spec.ts are for Playwright

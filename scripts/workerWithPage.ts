@@ -6,8 +6,8 @@ const WORKER = fileURLToPath(new URL('../src/compute/worker.ts', import.meta.url
 const STARTER = /\/src\/compute\/client\/startWorker\.ts$/;
 const ADDRESS = "new URL('../worker.ts', import.meta.url)";
 const PRELOAD = '\0vite/preload-helper.js';
-/** The page's own first script. */
-const ENTRY = /^assets\/index-/;
+/** The page's own first scripts. */
+const ENTRY = /^assets\/(?:index|page)-/;
 
 export function workerWithPage(): Plugin {
   let reference: string;

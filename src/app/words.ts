@@ -1,4 +1,4 @@
-/** Words on autosave, links and files by address. */
+/** Words on autosave and the connection; those on links and on files by address come with them. */
 export const text = {
   unusable: 'What was kept of your last work can\u2019t be used',
   unusableHint: 'The page opens with its first case. What is stored stays until you edit something.',
@@ -22,27 +22,8 @@ export const text = {
     'Your last work is kept in this browser only: drafts, settings, the open file, kept runs, the last sweep, dropped meshes.',
 } as const;
 
-export const shareText = {
-  opened: (title: string) => `Opened from a link: ${title}`,
-  openedHint: 'Your last work is still kept; editing this one takes its place.',
-  openedFresh: 'The scenario is in the panel and running.',
-  back: 'Back to your last work',
-  altered:
-    'The link was changed by hand, or its case has changed since it was made. Dots in the panel mark what differs from the case.',
-  unknownTool: (id: string) => `It names a tool that this page does not have: \u201c${id}\u201d.`,
-  bad: 'The link could not be opened',
-  badHint: 'Nothing on the page has changed.',
-} as const;
-
 export const fileText = {
   loading: (name: string) => `loading ${name}`,
-  refused: 'The file named in the address was not opened',
-  sameOrigin: (what: string) => `\u201c${what}\u201d: only a path beside this page, such as data/ride.csv, is fetched`,
-  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt, .json or .parquet file`,
-  answered: (status: number) => `the server answered ${status}`,
-  page: 'the server answered with a page, not a file',
-  large: (mb: number) => `it is larger than the ${mb} MB this page reads`,
-  unreachable: 'the server could not be reached, or sends the file from elsewhere',
 } as const;
 
 export const skipText = { label: 'Skip to', scene: 'Skip to the scene', playback: 'Skip to playback' } as const;

@@ -1,5 +1,5 @@
 /** `?file=`: a CSV, scenario or sweep's results beside the page, fetched with progress. Loaded when an address asks for one. */
-import { fileText as text } from '../words.ts';
+import { fileText as text } from './addressWords.ts';
 import type { App } from '../app.ts';
 
 /** Bytes; all of it passes through memory before it is read, unlike a file from the disk. */

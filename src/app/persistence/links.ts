@@ -12,7 +12,7 @@ import { ScenarioError } from '../../core/scenario/types.ts';
 import { learnSystem, systemMetas } from '../../core/systems/registry.ts';
 import { difference } from '../../core/scenario/patch.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
-import { shareText as text } from '../words.ts';
+import { shareText as text } from './linkWords.ts';
 import type { App } from '../app.ts';
 import { ownCase, type CaseInfo } from '../state/cases.ts';
 import { settingValues } from '../state/settings.ts';

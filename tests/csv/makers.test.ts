@@ -1,6 +1,6 @@
 // The same motion as makers of loggers, phones, scopes and laboratories' software write it, and as spreadsheets do abroad.
-import { describe, test } from 'vitest';
-import { base, comma, deg, expectCircle as expectExactly, f, motionOf, N, states, table } from './circle.ts';
+import { describe, expect, test } from 'vitest';
+import { base, comma, deg, expectCircle as expectExactly, f, motionOf, N, readBytes, states, table } from './circle.ts';
 
 type State = (typeof states)[number];
 const rows = (of: (state: State, i: number) => readonly (string | number)[]): string[][] =>
@@ -454,4 +454,66 @@ function expectCircle(motion: ReturnType<typeof motionOf>): void {
 
 describe('makers', () => {
   test.each(Object.entries(MAKERS))('%s', (_, text) => expectCircle(motionOf(text)));
+});
+
+test.each(['#¡VALOR!', '#¿NOMBRE?', '#DĚLENÍ_NULOU!', '#VIITTAUS!', '#DEĞER!', '#SAKNAS!', '#ZÉRÓOSZTÓ!', '#YOK'])(
+  'a row that begins with %s is left out by name, and no comment',
+  (error) => {
+    const motion = motionOf(
+      table(
+        'x;y;theta;t\n',
+        base.map(([t, ...rest], i) => [i === 3 ? error : rest[0]!, ...rest.slice(1), t!]),
+        ';',
+      ),
+    );
+    expect(motion).toMatchObject({ rows: N - 1, skippedRows: 1, issues: [{ line: 5, column: 'x' }] });
+  },
+);
+
+test('a comma of thousands without quotes is refused by name, not taken for a name of the row', () => {
+  const result = readBytes(
+    new TextEncoder().encode(
+      table(
+        't,x,y,theta\n',
+        base.map(([t, , y, a]) => [t!, '1,234.5', y!, a!]),
+      ),
+    ),
+  );
+  expect(JSON.stringify(result)).toContain('thousands between commas? write the numbers without them');
+});
+
+test('names in two lines, the axes below', () => {
+  const motion = motionOf(
+    table(
+      'PathFileType\t4\t(X/Y/Z)\tboard.trc\nDataRate\tNumFrames\tUnits\n50.00\t101\tmm\nFrame#\tTime\tfront\t\t\n\t\tX1\tY1\tZ1\n\n',
+      base.map(([t, x, y], i) => [String(i + 1), t!, x!, '80', y!]),
+      '\t',
+    ),
+  );
+  expect(motion).toMatchObject({ systemId: null, rows: N, plan: { time: { form: 'number' } } });
+  expect(motion.data[0]![50]).toBeCloseTo(1, 9);
+});
+
+test('times that are all the same are said to be', () => {
+  const motion = motionOf(
+    table(
+      'timestamp,x,y,theta\n',
+      base.map(([, ...rest]) => ['1.74491E+12', ...rest]),
+    ),
+  );
+  expect(motion.rows).toBe(N);
+  expect(motion.data[0]![60]).toBeCloseTo(1, 9);
+  expect(motion.notes.join()).toContain('all times are the same');
+});
+
+test('a Spanish clock', () => {
+  expectCircle(
+    motionOf(
+      table(
+        'Hora;x;y;theta\n',
+        at((t) => `10:30:${sec(20 + t)} a. m.`),
+        ';',
+      ),
+    ),
+  );
 });

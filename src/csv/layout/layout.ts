@@ -113,6 +113,8 @@ export function layoutOf(
       else if (!units || !isRemarks(cells, decimal === ',')) break;
     }
   const above = header > 0 ? lines[header - 1]! : null;
+  // Markers' files name the axes below: `Frame#, Time, front` above `, , X1, Y1, Z1`.
+  if (titles && above && fillsFromAbove(above.cells, titles)) headerLines.push(above.number);
   if (
     titles &&
     !units &&
@@ -193,10 +195,20 @@ function trimmed(cells: readonly string[]): number {
   return width;
 }
 
+/** Words, or whole numbers one after another: a comma of thousands makes a row longer too. */
+function areRowNames(rows: readonly string[][]): boolean {
+  const names = rows.map((row) => row[0]!.trim());
+  return (
+    names.every((name) => formOf(name, false) === 'text') ||
+    names.every((name, i) => /^\d+$/.test(name) && (i === 0 || +name > +names[i - 1]!))
+  );
+}
+
 /** R's tables have one title less than columns: the first holds the rows' names. */
 function widthWith(titles: string[], rows: readonly string[][]): number {
   const longer = rows.filter((row) => row.length === titles.length + 1 && row.at(-1)!.trim() !== '').length;
-  if (rows.length > 0 && longer === rows.length && titles.every((title) => title.trim() !== '')) titles.unshift('');
+  if (rows.length > 0 && longer === rows.length && titles.every((title) => title.trim() !== '') && areRowNames(rows))
+    titles.unshift('');
   return titles.length;
 }
 
@@ -332,6 +344,16 @@ function fillsTitles(cells: readonly string[], titles: string[]): boolean {
     filled.length > 0 && filled.every((i) => (titles[i] ?? 'x').trim() === '' && formOf(cells[i]!, false) === 'text');
   if (fits) for (const i of filled) titles[i] = cells[i]!;
   return fits;
+}
+
+/** A line of names above fills the first titles, where these are empty. */
+function fillsFromAbove(cells: readonly string[], titles: string[]): boolean {
+  const empty = titles.findIndex((title) => title.trim() !== '');
+  if (empty < 1) return false;
+  const first = cells.slice(0, empty);
+  if (!first.every((cell) => formOf(cell, false) === 'text')) return false;
+  for (const [i, cell] of first.entries()) titles[i] = cell;
+  return true;
 }
 
 /** Lines above names that occur more than once: each name of a group holds to the right until the next. */

@@ -165,7 +165,9 @@ export class RowStore {
       `the row has ${cells.length} cells where there are ${this.width} columns${
         cells.length === 2 * this.width
           ? '; decimal commas between commas? write the file with semicolons, or with points'
-          : ''
+          : cells.some((cell, i) => /^\s*[+-]?[1-9]\d{0,2}$/.test(cell) && /^\d{3}(?:\.\d*)?$/.test(cells[i + 1] ?? ''))
+            ? '; thousands between commas? write the numbers without them, or in quotes'
+            : ''
       }`,
     );
   }

@@ -14,7 +14,7 @@ export interface Moment {
 export type DateOrder = 'day first' | 'month first';
 
 const LONGEST = 48;
-const CLOCK = /^([+-])?(?:(\d{1,5}):)?(\d{1,5}):(\d{1,2})(?:[.,:](\d{1,9}))?\s*([ap]\.?m\.?)?$/i;
+const CLOCK = /^([+-])?(?:(\d{1,5}):)?(\d{1,5}):(\d{1,2})(?:[.,:](\d{1,9}))?\s*([ap]\.?\s?m\.?)?$/i;
 const DURATION =
   /^P?(?:(\d+(?:[.,]\d+)?)\s*d(?:ays?)?,?)?\s*T?(?:(\d+(?:[.,]\d+)?)\s*h)?\s*(?:(\d+(?:[.,]\d+)?)\s*m(?:in)?)?\s*(?:(\d+(?:[.,]\d+)?)\s*s(?:ec)?)?$/i;
 const DAYS_AND_CLOCK = /^(\d+)\s*(?:d|days?)?,?\s+(\d+:\d+:\d+.*)$/i;

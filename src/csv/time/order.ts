@@ -166,6 +166,13 @@ function untied(t: Float64Array, rows: Int32Array, order: Order, same: (a: numbe
   const groups: number[] = [0];
   for (let i = 1; i < rows.length; i++) if (t[rows[i]!]! !== t[rows[i - 1]!]!) groups.push(i);
   const equals = rows.length - groups.length;
+  if (groups.length === 1 && rows.length > 3) {
+    for (let i = 0; i < rows.length; i++) t[rows[i]!] = t[rows[0]!]! + i / 60;
+    order.notes.push(
+      'all times are the same (too few digits?): the rows are put 1/60 s apart; another column or a step can be chosen',
+    );
+    return rows;
+  }
   let copies = 0;
   for (let i = 1; i < rows.length; i++) if (t[rows[i]!]! === t[rows[i - 1]!]! && same(rows[i]!, rows[i - 1]!)) copies++;
   if (equals >= COARSE * rows.length && groups.length > 1 && copies < equals / 2) {

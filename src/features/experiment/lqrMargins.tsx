@@ -2,6 +2,7 @@
 import type { EstimatorReport, MarginsReport, SampledReport } from '../../core/control/sampled/computerReport.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+import { movers } from './movers.ts';
 import { lqrWords as words } from './words.ts';
 
 /** Moduli that are shown; the slowest are those that matter. */
@@ -59,8 +60,7 @@ export function Margins({
       {estimator && (
         <p class="hint" data-testid="lqr-estimator">
           {words.sees(estimator.dimension, estimator.dimension + estimator.unseen.length)}{' '}
-          {estimator.unseen.length > 0 &&
-            `${words.unseenBySensors([...new Set(estimator.unseen.map((m) => m.moves[0]!))].join(', '))} `}
+          {estimator.unseen.length > 0 && `${words.unseenBySensors(movers(meta, estimator.unseen))} `}
           {estimator.moduli && words.filterPoles(listed(estimator.moduli))}
         </p>
       )}

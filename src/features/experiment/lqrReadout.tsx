@@ -7,6 +7,7 @@ import { useUi } from '../../ui/context.ts';
 import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { Term } from '../../ui/kit/term.tsx';
 import { LqrEffect } from './lqrEffect.tsx';
+import { movers } from './movers.ts';
 import { lqrWords as words } from './words.ts';
 
 const WIDTH = 288;
@@ -99,9 +100,7 @@ export function LqrFacts() {
         <dt>{words.residual}</dt>
         <dd>{formatScientific(careResidual ?? NaN)}</dd>
       </dl>
-      {untouched.length > 0 && (
-        <p class="hint">{words.untouched([...new Set(untouched.flatMap((m) => m.moves.slice(0, 1)))].join(', '))}</p>
-      )}
+      {untouched.length > 0 && <p class="hint">{words.untouched(movers(ui.system.value!.meta, untouched))}</p>}
       {free && <p class="hint">{words.rollsFreely(free.label, sums.map((s) => s.label).join('; '))}</p>}
     </div>
   );

@@ -12,7 +12,8 @@ export const words = {
   constraints: 'Constraints',
   hold: 'Held coordinates',
   start: 'Start',
-  startHint: 'Empty: not named, rests or gives way. Plain angles are degrees; pi/8 and 0.3 rad are read as written.',
+  startHint:
+    'Left empty, a value is at rest, or whatever the constraints ask for. Plain angles are degrees; pi/8 and 0.3 rad are read as written.',
   value: 'value',
   rate: 'rate',
   parameters: 'Parameters',

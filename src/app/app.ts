@@ -4,6 +4,7 @@ import type { ControlClient } from '../compute/client/controlClient.ts';
 import type { GaitClient } from '../compute/client/gaitClient.ts';
 import type { LocusClient } from '../compute/client/locusClient.ts';
 import type { MechanicsClient } from '../compute/client/mechanicsClient.ts';
+import type { RideUpdate } from '../compute/services/rideTypes.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { ImportChoices } from '../csv/plan.ts';
 import type { SystemView } from '../core/model/system.ts';
@@ -16,6 +17,7 @@ import type { LiveState } from './runs/live.ts';
 import type { Motion } from './runs/motion.ts';
 import type { ModePreview, ModeRequest } from './runs/modePreview.ts';
 import type { PinnedRun, PinnedRuns } from './runs/pinnedRuns.ts';
+import type { Ride } from './runs/runs.ts';
 import type { StageState } from './runs/stageState.ts';
 import type { Sweep } from './runs/sweep.ts';
 import type { VehicleTests } from './runs/vehicleTests.ts';
@@ -62,6 +64,10 @@ export interface RunActions {
   /** Runs the draft; where a field has something wrong, goes there instead. */
   run(): void;
   cancel(): void;
+  /** Begins a ride of a scenario whose control is one, in step with the clock; false where it can't be. It is over when its run is. */
+  ride(scenario: ScenarioFile, ride: Ride): boolean;
+  /** What the ride is told, or how fast its clock goes. */
+  steer(update: RideUpdate): void;
   /** Runs the draft, or another scenario, with each of these methods. @throws ScenarioError when it can't run itself */
   compare(contenders: readonly Contender[], scenario?: ScenarioFile): void;
   /** Computes the run on the stage again by another method, however long it takes. */

@@ -202,6 +202,17 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
       runs.run();
     },
     cancel: () => compute.run.cancel(),
+    ride(scenario, ride) {
+      live.stay();
+      return runs.ride(scenario, {
+        ...ride,
+        over(end, file) {
+          replace(ride.title, { origin: ownCase(ride.title, file), draft: file });
+          ride.over(end, file);
+        },
+      });
+    },
+    steer: (update) => compute.run.steer(update),
     resetDraft() {
       forgetRefused();
       edit('reset', () => origin.peek().scenario);

@@ -16,6 +16,7 @@ export { file } from './file/manifest.tsx';
 export { importing } from './import/manifest.tsx';
 export { exporting } from './export/manifest.tsx';
 export { share } from './share/manifest.tsx';
+export { ride } from './ride/manifest.tsx';
 export { push } from './push/manifest.tsx';
 export { help } from './help/manifest.tsx';
 export { welcome } from './welcome/manifest.tsx';

@@ -3,8 +3,15 @@ import type { RunClient } from '../../compute/client/runClient.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import { checkScenario } from '../../core/scenario/schema.ts';
 import { DEFAULTS } from '../../core/scenario/defaults.ts';
-import { ScenarioError, type Scenario, type ScenarioFile } from '../../core/scenario/types.ts';
+import {
+  ScenarioError,
+  type RideCommand,
+  type RideControl,
+  type Scenario,
+  type ScenarioFile,
+} from '../../core/scenario/types.ts';
 import type { Push } from '../../core/simulation/push.ts';
+import type { RideStart } from '../../compute/services/rideTypes.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { systemViews } from '../../core/systems/registry.ts';
 import { followPush, horizonOf, PUSHED, pushesUpTo, withMark } from '../push/pushRecorder.ts';
@@ -44,6 +51,16 @@ interface Entry {
   live?: boolean;
   autoplay?: boolean;
   soonest?: boolean;
+  /** In step with the clock, told where to go. */
+  ride?: Ride;
+}
+
+/** A ride as it is begun, and what is heard of it. */
+export interface Ride extends RideStart {
+  title: string;
+  told(command: RideCommand, given: number): void;
+  /** With the scenario that repeats it. */
+  over(end: { reason: string; message: string; time: number }, file: ScenarioFile): void;
 }
 
 /** Starts runs and turns what the worker sends into the motion being watched. */
@@ -124,6 +141,15 @@ export class Runs {
     this.settleFor(true);
     this.followed = true;
     this.start(scenario, draft, { live: true });
+  }
+
+  /** Begins a ride of a draft whose control is one; false where it can't be. */
+  ride(draft: ScenarioFile, ride: Ride): boolean {
+    const scenario = this.checked(draft);
+    if (scenario?.control?.type !== 'ride') return false;
+    this.settleFor(false);
+    this.start(scenario, draft, { ride });
+    return true;
   }
 
   /** Evaluations that a run of a draft may be expected to take: work, not time, so that a busy machine decides nothing. */
@@ -213,15 +239,17 @@ export class Runs {
   }
 
   private start(scenario: Scenario, draft: ScenarioFile, entry: Entry): void {
-    const { onward = null, soonest = false } = entry;
+    const { onward = null, soonest = false, ride } = entry;
     const { stage, experiment, pushing, client, messages } = this.context;
     const origin = experiment.origin.peek();
-    const push = onward?.push ?? pushing.push.peek();
-    const title = onward?.push
-      ? onward.before.title
-      : origin.scenario === draft
-        ? origin.title
-        : `${origin.title}, changed`;
+    const push = ride ? null : (onward?.push ?? pushing.push.peek());
+    const title = ride
+      ? ride.title
+      : onward?.push
+        ? onward.before.title
+        : origin.scenario === draft
+          ? origin.title
+          : `${origin.title}, changed`;
     const pushes = onward ? pushesUpTo(onward.before, onward.time) : [];
     let motion: Motion | null = null;
     const run = stage.state.run.peek();
@@ -265,6 +293,8 @@ export class Runs {
           batch(() => {
             take(false);
             if (adopted) {
+              // Nothing between what is computed and what is seen.
+              if (ride) this.context.playback.actions.jump(motion!.trajectory.end);
               stage.actions.grew();
               stage.actions.setStatistics(counts);
             }
@@ -281,8 +311,13 @@ export class Runs {
           if (stage.state.motion.peek() === motion) stage.actions.setMotion(marked);
           motion = marked;
         },
+        told: (command, given) => {
+          (scenario.control as RideControl & { commands: RideCommand[] }).commands.push(command);
+          ride?.told(command, given);
+        },
         ended: (end, counts) => {
           batch(() => take(true));
+          if (ride && motion) motion = this.ridden(motion, end, ride);
           if (adopted) stage.actions.setStatistics(counts);
           else this.request.value = stage.state.motion.peek()?.written ?? null;
           stage.actions.setRun({ kind: 'ended', reason: end.reason, message: end.message, time: end.time });
@@ -309,8 +344,27 @@ export class Runs {
         live: push ? { push, horizon: this.horizon() } : undefined,
         until: entry.live ? this.soon() : 0,
         soonest,
+        ride: ride && { resume: ride.resume, pace: ride.pace },
       },
     );
+  }
+
+  /** A ride that is over becomes a run like any: its scenario, with what was told, repeats it to the last bit. */
+  private ridden(motion: Motion, end: { reason: string; message: string; time: number }, ride: Ride): Motion {
+    const { commands } = motion.scenario!.control as RideControl;
+    const { trajectory } = motion;
+    // A fall ends it by itself, a little before the duration.
+    const duration = end.reason === 'cancelled' ? trajectory.end : Math.ceil(end.time * 10 + 1) / 10;
+    const written: ScenarioFile = {
+      ...motion.written!,
+      control: { ...motion.written!.control!, commands: commands.filter(([t]) => t < duration) } as RideControl,
+      duration,
+    };
+    const told = { ...motion, scenario: this.checked(written) ?? motion.scenario, written };
+    this.request.value = written;
+    if (this.context.stage.state.motion.peek() === motion) this.context.stage.actions.setMotion(told);
+    ride.over(end, written);
+    return told;
   }
 
   /** A run that follows the draft is on the stage; what changed meanwhile is taken up now. */
@@ -329,12 +383,13 @@ export class Runs {
    * @param over no more rows come
    * @returns whether it has the stage
    */
-  private adopt(motion: Motion, { autoplay = true, onward, live = false }: Entry, over: boolean): boolean {
+  private adopt(motion: Motion, { autoplay = true, onward, live = false, ride }: Entry, over: boolean): boolean {
     const { stage, playback, settle } = this.context;
     if (stage.state.motion.peek()?.id === motion.id) return true;
     const { end } = motion.trajectory;
     const now = playback.state.time.peek();
     if (motion.trajectory.length === 0 || (live && !over && end < now)) return false;
+    if (ride && !over && end < ride.resume - motion.scenario!.outputStep) return false;
     if (live) playback.actions.jump(Math.min(now, end));
     else if (!onward) playback.actions.jump(0);
     stage.actions.setMotion(motion);

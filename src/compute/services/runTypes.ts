@@ -1,5 +1,5 @@
 import type { StartAdjustment } from '../../core/mechanics/consistentStart.ts';
-import type { EngineId, Scenario } from '../../core/scenario/types.ts';
+import type { EngineId, RideCommand, Scenario } from '../../core/scenario/types.ts';
 import type { Push, PushRecord } from '../../core/simulation/push.ts';
 import type { Continuation, RunCounts, RunEnd } from '../../core/simulation/simulation.ts';
 import type { Call } from '../remote/protocol.ts';
@@ -33,7 +33,9 @@ export type RunEvent =
   | { type: 'started'; columns: string[]; adjustments: StartAdjustment[]; notes: string[]; engine: EngineId }
   | { type: 'rows'; columns: Float64Array[]; rows: number; time: number; counts: RunCounts; seconds: number }
   /** From this time on the push acts that the page asked for. */
-  | { type: 'pushed'; record: PushRecord };
+  | { type: 'pushed'; record: PushRecord }
+  /** A ride has this command in its list from now on; and when it was given, as the page said (ms). */
+  | { type: 'told'; command: RideCommand; given: number };
 
 export interface RunResult {
   end: RunEnd;

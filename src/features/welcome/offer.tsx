@@ -22,6 +22,19 @@ export function WelcomeView({ touring, onTour, onEnd }: { touring: boolean; onTo
         <button type="button" class="primary" data-testid="offer-try" onClick={balance}>
           {text.balance}
         </button>
+        {ui.commands.some(({ id }) => id === 'ride') && (
+          <button
+            type="button"
+            data-testid="offer-ride"
+            onClick={() => {
+              onEnd();
+              ui.commands.find(({ id }) => id === 'ride')?.perform?.(ui.app);
+              document.getElementById('stage')?.focus();
+            }}
+          >
+            {text.ride}
+          </button>
+        )}
         <button type="button" data-testid="offer-tour" onClick={onTour}>
           {text.take}
         </button>

@@ -3,6 +3,7 @@ export const text = {
   offer: 'First visit',
   try: 'Lean the board ten degrees and let two small motors steer it upright.',
   balance: 'Balance it',
+  ride: 'Ride it',
   take: 'Tour of five steps',
   dismiss: 'Not now',
   tour: 'Tour',

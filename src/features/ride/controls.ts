@@ -1,0 +1,100 @@
+/** What keys, pads, a gamepad and a tilt ask for becomes commands: only what has changed is told. */
+
+export type Told = 'twist' | 'lean' | 'pump' | 'push' | 'brake';
+
+/** Keys that are held, and what they ask for. */
+const HELD: Readonly<Record<string, readonly [Told, number]>> = {
+  ArrowLeft: ['twist', 1],
+  ArrowRight: ['twist', -1],
+  a: ['lean', 1],
+  d: ['lean', -1],
+  ArrowUp: ['push', 1],
+  w: ['push', 1],
+  ' ': ['pump', 1],
+  ArrowDown: ['brake', 1],
+  s: ['brake', 1],
+};
+
+/** An axis is told in steps of this, so that a hand that trembles says nothing. */
+const STEP = 0.05;
+/** Of an axis around its rest. */
+const DEAD = 0.12;
+/** Tilt of a phone that is a whole lean, degrees. */
+const TILT = 25;
+
+const nameOf = ({ key }: { key: string }): string => (key.length === 1 ? key.toLowerCase() : key);
+
+export class Controls {
+  private readonly held = new Set<string>();
+  private readonly analog = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
+  private readonly told = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
+  private readonly tell: (name: Told, value: number) => void;
+
+  constructor(tell: (name: Told, value: number) => void) {
+    this.tell = tell;
+  }
+
+  /** @returns whether it is a key of the ride */
+  press(event: { key: string }): boolean {
+    const key = nameOf(event);
+    if (!HELD[key]) return false;
+    this.held.add(key);
+    this.update();
+    return true;
+  }
+
+  release(event: { key: string }): boolean {
+    if (!this.held.delete(nameOf(event))) return false;
+    this.update();
+    return true;
+  }
+
+  releaseAll(): void {
+    this.held.clear();
+    Object.assign(this.analog, { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 });
+    this.update();
+  }
+
+  /** Nothing of what was told before holds for a ride that begins. */
+  forget(): void {
+    this.held.clear();
+    Object.assign(this.told, { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 });
+  }
+
+  /** Sticks and triggers, in the standard layout. */
+  gamepad(pad: Pick<Gamepad, 'axes' | 'buttons'>): void {
+    const axis = (i: number): number => {
+      const x = pad.axes[i] ?? 0;
+      return Math.abs(x) < DEAD ? 0 : -x;
+    };
+    Object.assign(this.analog, {
+      twist: axis(0),
+      lean: axis(2),
+      pump: pad.buttons[7]?.value ?? 0,
+      brake: pad.buttons[6]?.value ?? 0,
+      push: pad.buttons[0]?.value ?? 0,
+    });
+    this.update();
+  }
+
+  /** @param degrees that the phone is turned to the left in the hand */
+  tilt(degrees: number): void {
+    this.analog.lean = Math.abs(degrees) < TILT * DEAD ? 0 : degrees / TILT;
+    this.update();
+  }
+
+  private update(): void {
+    const now = { ...this.analog };
+    for (const key of this.held) {
+      const [name, value] = HELD[key]!;
+      now[name] += value;
+    }
+    for (const name of Object.keys(now) as Told[]) {
+      const least = name === 'twist' || name === 'lean' ? -1 : 0;
+      const value = Math.max(least, Math.min(1, Math.round(now[name] / STEP) * STEP)) + 0;
+      if (value === this.told[name]) continue;
+      this.told[name] = value;
+      this.tell(name, value);
+    }
+  }
+}

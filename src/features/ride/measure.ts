@@ -1,0 +1,44 @@
+/** How long it takes from a key to the picture that shows what came of it, and how many pictures were left out. */
+export class Measure {
+  readonly latencies: number[] = [];
+  dropped = 0;
+  frames = 0;
+  private waiting: { given: number; time: number }[] = [];
+  private last: number | null = null;
+  private readonly intervals: number[] = [];
+
+  /** A command given then (ms) acts from this time of the ride on (s). */
+  told(given: number, time: number): void {
+    this.waiting.push({ given, time });
+  }
+
+  /** A picture of the ride at this time (s) was handed to the display, now (ms). */
+  frame(now: number, time: number): void {
+    const seen = this.waiting.filter((one) => one.time <= time);
+    this.waiting = this.waiting.filter((one) => one.time > time);
+    this.latencies.push(...seen.map(({ given }) => now - given));
+    this.frames++;
+    if (this.last !== null) {
+      const interval = now - this.last;
+      this.intervals.push(interval);
+      if (this.intervals.length > 60) this.intervals.shift();
+      const usual = median(this.intervals);
+      const missed = Math.round(interval / usual) - 1;
+      if (missed > 0) {
+        this.dropped += missed;
+        this.frames += missed;
+      }
+    }
+    this.last = now;
+  }
+
+  /** ms; null before anything was told. */
+  get latency(): number | null {
+    return this.latencies.length > 0 ? median(this.latencies) : null;
+  }
+}
+
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.floor((sorted.length - 1) / 2)]!;
+}

@@ -1,0 +1,198 @@
+/** One person on the board: begins rides, tells them what the controls ask, follows them picture by picture. */
+import type { App } from '../../app/app.ts';
+import type { ScenarioFile } from '../../core/scenario/types.ts';
+import { Controls } from './controls.ts';
+import { gates, Passage } from './course.ts';
+import { Measure } from './measure.ts';
+import { ghostAt, pathOf, rideScenario, storeBest, storedBest, upTo, type Best } from './rides.ts';
+import { words } from './words.ts';
+
+type Phase = 'starting' | 'riding' | 'over';
+
+const DEGREES = 180 / Math.PI;
+/** The panel's numbers and the map are drawn this often, ms; the scene with every picture. */
+const DRAW_MS = 50;
+
+export class Session {
+  phase: Phase = 'starting';
+  said: string = words.ready;
+  rider = true;
+  level = 1;
+  pace = 1;
+  waiting = false;
+  speed = 0;
+  time = 0;
+  way: number[] = [];
+  best: Best | null = null;
+  passage = new Passage(gates);
+  measure = new Measure();
+  readonly controls: Controls;
+  private readonly app: App;
+  private draw = (): void => {};
+  private drawn = 0;
+  /** Rows of the motion that were followed. */
+  private rows = 0;
+  private motion = 0;
+  /** Counts rides: what an earlier one still says is not heard. */
+  private ride = 0;
+
+  constructor(app: App) {
+    this.app = app;
+    this.controls = new Controls((name, value) => this.tell(name, value));
+  }
+
+  /** Rides until what it returns is called. */
+  run(draw: () => void): () => void {
+    this.draw = draw;
+    const { state, actions } = this.app;
+    const view = state.view.peek();
+    this.begin();
+    let frame = requestAnimationFrame(function next(this: void, now: number) {
+      follow(now);
+      frame = requestAnimationFrame(next);
+    });
+    const follow = (now: number): void => this.frame(now);
+    return () => {
+      cancelAnimationFrame(frame);
+      this.ride++;
+      if (this.phase !== 'over') actions.cancel();
+      if (state.view.peek() === 'rider') actions.set('view', view);
+      if (state.motion.peek()?.written?.control?.type === 'ride') actions.report('info', words.label, [words.kept]);
+    };
+  }
+
+  begin(): void {
+    this.best = storedBest(this.rider);
+    this.start(rideScenario(this.rider, this.level), 0);
+  }
+
+  /** Goes on from the moment on the stage: the ride up to there is computed again, which gives the same. */
+  takeOver(): void {
+    const { state } = this.app;
+    const time = state.time.peek();
+    const file = upTo(state.motion.peek()?.written, time);
+    if (file) this.start(file, time);
+  }
+
+  private start(file: ScenarioFile, resume: number): void {
+    const { actions, state } = this.app;
+    const ride = ++this.ride;
+    this.controls.forget();
+    this.passage = new Passage(gates);
+    this.measure = new Measure();
+    Object.assign(this, { rows: 0, way: [], waiting: false, speed: 0, time: resume });
+    this.phase = 'starting';
+    this.said = words.ready;
+    this.motion = state.motion.peek()?.id ?? 0;
+    actions.ride(file, {
+      title: words.title(this.rider),
+      resume,
+      pace: this.pace,
+      told: (command, given) => {
+        if (ride === this.ride) this.measure.told(given, command[0]);
+      },
+      over: (end) => {
+        if (ride === this.ride) this.end(end);
+      },
+    });
+    // Helped as it is chosen now, whatever held before.
+    if (resume > 0) actions.steer({ command: ['help', this.level, performance.now()] });
+    this.draw();
+  }
+
+  setHelp(level: number): void {
+    this.level = level;
+    if (this.phase !== 'over') this.tell('help', level);
+    this.draw();
+  }
+
+  setPace(pace: number): void {
+    this.pace = pace;
+    if (!this.waiting) this.app.actions.steer({ pace });
+    this.draw();
+  }
+
+  setWaiting(waiting: boolean): void {
+    this.waiting = waiting;
+    this.app.actions.steer({ pace: waiting ? 0 : this.pace });
+    this.draw();
+  }
+
+  setRider(rider: boolean): void {
+    this.rider = rider;
+    this.begin();
+  }
+
+  say(words: string): void {
+    this.said = words;
+    this.draw();
+  }
+
+  /** Where the best ride was at this time. */
+  ghost(): { x: number; y: number } | null {
+    return this.best && ghostAt(this.best, this.time);
+  }
+
+  private tell(name: string, value: number): void {
+    if (this.phase === 'over') return;
+    this.app.actions.steer({ command: [name, value, performance.now()] });
+  }
+
+  private frame(now: number): void {
+    if (this.phase === 'over') return;
+    const { state, actions } = this.app;
+    const motion = state.motion.peek();
+    if (!motion || motion.written?.control?.type !== 'ride' || state.run.peek()?.kind !== 'computing') return;
+    if (this.phase === 'starting') {
+      if (motion.id === this.motion) return;
+      this.motion = motion.id;
+      this.phase = 'riding';
+      this.said = words.begin;
+      actions.set('view', motion.system.meta.views?.ridden ? 'rider' : state.view.peek());
+    }
+    // Something else took the stage.
+    if (motion.id !== this.motion) return void (this.phase = 'over');
+    for (const pad of navigator.getGamepads?.() ?? []) if (pad?.connected) this.controls.gamepad(pad);
+    this.look();
+    this.measure.frame(now, this.time);
+    if (now - this.drawn < DRAW_MS) return;
+    this.drawn = now;
+    this.draw();
+  }
+
+  /** Takes up the rows that came. */
+  private look(): void {
+    const { trajectory } = this.app.state.motion.peek()!;
+    const [t, x, y, heading, vx, vy] = ['t', 'X', 'Y', 'theta', 'X_dot', 'Y_dot'].map((c) => trajectory.column(c)!);
+    if (trajectory.length === 0) return;
+    for (; this.rows < trajectory.length; this.rows++) {
+      const i = this.rows;
+      this.passage.at(t![i]!, x![i]!, y![i]!);
+      if (i % 10 === 0) this.way.push(x![i]!, y![i]!);
+    }
+    const last = trajectory.length - 1;
+    this.time = t![last]!;
+    this.speed = vx![last]! * Math.cos(heading![last]!) + vy![last]! * Math.sin(heading![last]!);
+    const { finished } = this.passage;
+    if (finished === null || this.said.startsWith(words.through)) return;
+    const best = !this.best || finished < this.best.time;
+    this.said = words.finished(finished, best);
+    if (!best) return;
+    this.best = { time: finished, path: pathOf(trajectory, finished) };
+    storeBest(this.rider, this.best);
+  }
+
+  private end(end: { reason: string; message: string; time: number }): void {
+    const { state, actions } = this.app;
+    this.phase = 'over';
+    actions.pause();
+    const beta = state.motion.peek()?.trajectory.column('beta');
+    const lean = beta?.[(state.motion.peek()?.trajectory.length ?? 1) - 1] ?? 0;
+    const side = beta ? (lean > 0 ? 'right' : 'left') : null;
+    if (end.reason === 'touchdown') this.said = words.fell(side, Math.abs(lean) * DEGREES, end.time);
+    else if (end.reason !== 'cancelled') this.said = words.lost(end.message);
+    const { latency, dropped, frames } = this.measure;
+    if (latency !== null) this.said += ` (${words.latency(latency, dropped, frames)})`;
+    this.draw();
+  }
+}

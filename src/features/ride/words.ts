@@ -1,0 +1,42 @@
+/** Every word of riding that is not in the first view. */
+import { formatShort } from '../../ui/kit/format.ts';
+
+export const words = {
+  label: 'Riding',
+  title: (rider: boolean) => (rider ? 'Ride with a rider' : 'Ride of the board alone'),
+  ready: 'The board is being made ready …',
+  begin: 'Push off with ↑, steer with ← and →.',
+  keys: '↑ push off · Space pump · ← → turn · A D lean · ↓ brake · R again · P wait · Esc leave',
+  again: 'Again',
+  leave: 'Leave',
+  wait: 'Wait',
+  goOn: 'Go on',
+  takeOver: 'Ride on from here',
+  takeOverTitle: 'From the moment that is shown, the ride is yours again',
+  rider: 'With a rider',
+  help: 'Help',
+  helpLevels: { 1: 'Full', 0.75: 'Some', 0: 'None' } as Readonly<Record<number, string>>,
+  helpHint: {
+    1: 'Keys say where to go; the layer beneath finds the torques of the feet, and puts a foot down when it is slow.',
+    0.75: 'Three quarters of what the layer would do, a quarter of your keys as bare torque.',
+    0: 'Your keys are the torques of the feet. Nothing else holds the board up.',
+  } as Readonly<Record<number, string>>,
+  pace: 'Clock',
+  paces: { 1: '1', 0.5: '½', 0.25: '¼' } as Readonly<Record<number, string>>,
+  pads: { left: 'Left', right: 'Right', push: 'Push', pump: 'Pump', brake: 'Brake' },
+  tilt: 'Tilt to lean',
+  noTilt: 'This device tells no tilt, or was not allowed to.',
+  speed: (v: number) => `${v.toFixed(1)} m/s`,
+  seconds: (t: number) => `${t.toFixed(1)} s`,
+  course: 'Course',
+  gate: (passed: number, all: number) => `gate ${passed} of ${all}`,
+  best: (t: number) => `best ${t.toFixed(2)} s`,
+  through: 'Through all gates',
+  finished: (t: number, best: boolean) => `Through all gates in ${t.toFixed(2)} s${best ? ', your best yet' : ''}.`,
+  fell: (side: 'left' | 'right' | null, degrees: number, time: number) =>
+    `You fell${side ? ` to the ${side}, ${degrees.toFixed(0)}° over` : ''} after ${time.toFixed(1)} s: a plate touched the ground.`,
+  lost: (message: string) => `The ride ended: ${message}`,
+  kept: 'The ride is a run now: play it, plot it, save it, share it.',
+  latency: (ms: number, dropped: number, frames: number) =>
+    `from key to picture ${formatShort(Math.round(ms))} ms, ${dropped} of ${frames} frames dropped`,
+};

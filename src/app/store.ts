@@ -204,6 +204,8 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     cancel: () => compute.run.cancel(),
     ride(scenario, ride) {
       live.stay();
+      replace(ride.title, { origin: ownCase(ride.title, scenario), draft: scenario });
+      forgetRefused();
       return runs.ride(scenario, {
         ...ride,
         over(end, file) {

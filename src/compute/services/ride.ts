@@ -40,8 +40,10 @@ async function compute(
     notes: [...simulation.notes, ...simulation.warnings],
     engine: simulation.engine,
   });
+  let ready = true;
   const send = (): void => {
-    if (simulation.rows === 0) return;
+    if (simulation.rows === 0 || !(ready || simulation.end)) return;
+    ready = false;
     const { columns, rows } = simulation.takeChunk();
     emit(
       { type: 'rows', columns, rows, time: simulation.time, counts: simulation.counts, seconds },
@@ -52,7 +54,8 @@ async function compute(
   /** The clock's time and the ride's time that belongs to it; null until the ride has come to where it is taken over. */
   let since: { wall: number; time: number } | null = null;
   const due = (now: number): number => (since ? since.time + (pace * (now - since.wall)) / 1000 : ride.resume);
-  onUpdate(({ command, pace: next }) => {
+  onUpdate(({ command, pace: next, ready: drawn }) => {
+    ready ||= drawn === true;
     if (command && !simulation.end) {
       const [name, value, given] = command;
       emit({ type: 'told', command: tell(control, simulation.time, name, value), given });

@@ -24,4 +24,6 @@ export interface RideUpdate {
   /** Name and value of a command, and when it was given, for who wants to know how long it takes to be seen (ms). */
   command?: readonly [name: string, value: number, given: number];
   pace?: number;
+  /** The page has drawn: rows are sent once for that, so that a slow page never falls behind with them. */
+  ready?: true;
 }

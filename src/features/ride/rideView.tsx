@@ -64,8 +64,8 @@ export function RideView({ onLeave }: { onLeave(): void }) {
             />{' '}
             {words.rider}
           </label>
+          <span class="hint">{words.helpHint[level]}</span>
         </div>
-        <p class="hint">{words.helpHint[level]}</p>
         <Pads session={session} />
         <div class="ride-buttons">
           <button type="button" class="primary" data-testid="ride-again" onClick={() => session.begin()}>

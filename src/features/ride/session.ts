@@ -141,6 +141,7 @@ export class Session {
   private frame(now: number): void {
     if (this.phase === 'over') return;
     const { state, actions } = this.app;
+    actions.steer({ ready: true });
     const motion = state.motion.peek();
     if (!motion || motion.written?.control?.type !== 'ride' || state.run.peek()?.kind !== 'computing') return;
     if (this.phase === 'starting') {

@@ -1,0 +1,85 @@
+import { describe, expect, it } from 'vitest';
+import { Controls } from './controls.ts';
+import { Passage, type Gate } from './course.ts';
+import { Measure } from './measure.ts';
+import { ghostAt, rideScenario, upTo } from './rides.ts';
+
+const course: Gate[] = [
+  { x: 1, y: 0, heading: 0 },
+  { x: 3, y: 1, heading: Math.PI / 2 },
+];
+
+describe('a passage', () => {
+  it('counts gates in order, forwards, within their posts, and tells when it was through', () => {
+    const passage = new Passage(course);
+    passage.at(0, 0, 2);
+    passage.at(1, 2, 2);
+    expect(passage.passed).toBe(0);
+    passage.at(2, 0, 0);
+    expect(passage.passed).toBe(0);
+    passage.at(3, 2, 0);
+    expect(passage.passed).toBe(1);
+    passage.at(4, 3, 0);
+    passage.at(5, 3, 2);
+    expect(passage.finished).toBeCloseTo(4.5, 12);
+  });
+});
+
+describe('controls', () => {
+  it('tell only what changes, and let go of all at once', () => {
+    const told: [string, number][] = [];
+    const controls = new Controls((name, value) => told.push([name, value]));
+    controls.press({ key: 'ArrowLeft' });
+    controls.press({ key: 'ArrowLeft' });
+    controls.press({ key: 'ArrowRight' });
+    controls.release({ key: 'ArrowLeft' });
+    controls.press({ key: 'W' });
+    controls.releaseAll();
+    expect(controls.press({ key: 'q' })).toBe(false);
+    expect(told).toEqual([
+      ['twist', 1],
+      ['twist', 0],
+      ['twist', -1],
+      ['push', 1],
+      ['twist', 0],
+      ['push', 0],
+    ]);
+  });
+
+  it('take a stick with a rest in its middle', () => {
+    const told: [string, number][] = [];
+    const controls = new Controls((name, value) => told.push([name, value]));
+    controls.gamepad({ axes: [0.05, 0, -0.5], buttons: [] });
+    expect(told).toEqual([['lean', 0.5]]);
+  });
+});
+
+it('the measure takes the picture in which a command is first seen, and counts pictures left out', () => {
+  const measure = new Measure();
+  for (const [now, time] of [
+    [0, 0],
+    [16, 0.016],
+    [32, 0.032],
+  ] as const)
+    measure.frame(now, time);
+  measure.told(20, 0.04);
+  measure.frame(48, 0.048);
+  measure.frame(96, 0.096);
+  expect(measure.latency).toBe(28);
+  expect([measure.dropped, measure.frames]).toEqual([2, 7]);
+});
+
+it('a ride goes on from a moment with what was told up to there', () => {
+  const file = rideScenario(true, 1, [
+    [0, 'push', 1],
+    [3, 'twist', 1],
+  ]);
+  expect(upTo(file, 2)?.control).toMatchObject({ commands: [[0, 'push', 1]] });
+  expect(upTo({ version: 1, system: 'ripstik' }, 2)).toBeNull();
+});
+
+it('the best ride waits at its end', () => {
+  const best = { time: 0.2, path: [0, 0, 1, 0, 2, 2] };
+  expect(ghostAt(best, 0.05)).toEqual({ x: 0.5, y: 0 });
+  expect(ghostAt(best, 9)).toEqual({ x: 2, y: 2 });
+});

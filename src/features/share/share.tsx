@@ -3,11 +3,11 @@ import { useSignal } from '@preact/signals';
 import { useUi } from '../../ui/context.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { later } from '../../ui/kit/later.tsx';
-import { words } from './words.ts';
+import { firstWords as words } from './firstWords.ts';
 
 const LinkDialog = later(async () => (await import('./linkDialog.tsx')).LinkDialog);
 
-const load = () => import('../../app/persistence/links.ts');
+const load = () => import('./shareLink.ts');
 /** What fails here is told when it is pressed. */
 const foresee = () => void load().catch(() => {});
 
@@ -15,20 +15,10 @@ export function ShareButton() {
   const { app } = useUi();
   const shown = useSignal<string | null>(null);
   const share = async () => {
-    let fragment: string;
     try {
-      fragment = (await load()).linkOf(app);
+      shown.value = await (await load()).shareLink(app);
     } catch (error) {
       app.actions.report('warning', words.notShared, [(error as Error).message]);
-      return;
-    }
-    const link = `${location.origin}${location.pathname}#${fragment}`;
-    if (await handedOver(app.state.origin.peek().title, link)) return;
-    try {
-      await navigator.clipboard.writeText(link);
-      app.actions.report('info', words.copied, [words.copiedHint(link.length)]);
-    } catch {
-      shown.value = link; // no clipboard, or not allowed: the person copies it
     }
   };
   return (
@@ -57,15 +47,4 @@ export function ShareButton() {
       )}
     </>
   );
-}
-
-/** Whether the phone's own sheet took it; giving it up there is an answer too. */
-async function handedOver(title: string, url: string): Promise<boolean> {
-  if (!('share' in navigator) || !matchMedia('(pointer: coarse)').matches) return false;
-  try {
-    await navigator.share({ title, url });
-    return true;
-  } catch (error) {
-    return (error as Error).name === 'AbortError';
-  }
 }

@@ -1,4 +1,6 @@
+import type { ExchangeFormat, Exchanged } from '../../core/exchange/index.ts';
 import type { StateOfSystem, Terms } from '../../core/mechanics/terms.ts';
+import type { Scenario } from '../../core/scenario/types.ts';
 import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
 import type { MechanicsCalls } from '../services/mechanicsTypes.ts';
 import { answerOf, type Answer } from './answer.ts';
@@ -13,5 +15,10 @@ export class MechanicsClient {
 
   terms(state: StateOfSystem): Promise<Answer<Terms> | null> {
     return answerOf(this.worker.call('mechanics.terms', state).result);
+  }
+
+  /** A scenario's system as a file of another tool. */
+  export(scenario: Scenario, format: ExchangeFormat): Promise<Answer<Exchanged> | null> {
+    return answerOf(this.worker.call('mechanics.export', { scenario, format }).result);
   }
 }

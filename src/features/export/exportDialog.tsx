@@ -11,6 +11,7 @@ import { firstWords } from './firstWords.ts';
 import { words as text } from './words.ts';
 import { RangeFields } from './fields.tsx';
 import { choices, job, keysOf, rangeOf, saveGlb, type Tab } from './jobs.ts';
+import { ExchangePart } from './exchangePart.tsx';
 import { PicturePage, SaveButton } from './picturePage.tsx';
 
 /** With the encoder's code. */
@@ -121,6 +122,7 @@ function DataPage({ motion }: { motion: Motion | null }) {
         {text.scenario}
       </button>
       <p class="hint">{text.scenarioAbout}</p>
+      <ExchangePart />
     </div>
   );
 }

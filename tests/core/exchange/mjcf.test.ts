@@ -158,7 +158,7 @@ describe('what cannot be said is refused, with what it is', () => {
     ['a wheel that stands on its rim', typed('torus-disc'), /moved by more than its joints/],
     ['angles that are not those of joints', typed('double-pendulum-cart'), /theta1 moves .* differently; an angle is/],
   ])('%s', async (_, raw, why) => {
-    await expect(exported(await raw, 'mjcf')).rejects.toThrow(why);
+    await expect(exported(await Promise.resolve(raw), 'mjcf')).rejects.toThrow(why);
   });
 });
 

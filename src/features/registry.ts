@@ -1,6 +1,7 @@
 /** All features of the page, one line each. Where a feature stands among the others is its manifest's `order`. */
 export { experiment } from './experiment/manifest.tsx';
 export { gallery } from './gallery/manifest.tsx';
+export { lessons } from './lessons/manifest.tsx';
 export { now } from './now/manifest.tsx';
 export { plots } from './plots/manifest.tsx';
 export { equations } from './equations/manifest.tsx';

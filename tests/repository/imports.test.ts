@@ -40,12 +40,13 @@ const CORE: Table = {
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   sweep: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
+  lessons: ['model', 'mechanics', 'scenario', 'motion', 'sweep', 'control'],
   exchange: ['linalg', 'model', 'engine', 'description', 'mechanics', 'scenario', 'simulation'],
 };
 /** Packages that one folder alone imports. */
 const ONLY: Readonly<Record<string, string>> = {
   three: 'scene',
-  katex: 'features',
+  katex: 'ui',
   mediabunny: 'features',
 };
 

@@ -1,5 +1,6 @@
 import type { ExchangeFormat, Exchanged } from '../../core/exchange/index.ts';
 import type { StateOfSystem, Terms } from '../../core/mechanics/terms.ts';
+import type { Ask } from '../../core/lessons/lesson.ts';
 import type { Scenario } from '../../core/scenario/types.ts';
 import { RemoteWorker, type WorkerLike } from '../remote/remoteWorker.ts';
 import type { MechanicsCalls } from '../services/mechanicsTypes.ts';
@@ -15,6 +16,11 @@ export class MechanicsClient {
 
   terms(state: StateOfSystem): Promise<Answer<Terms> | null> {
     return answerOf(this.worker.call('mechanics.terms', state).result);
+  }
+
+  /** The answer of a lesson's question. */
+  answer(scenario: Scenario, ask: Ask): Promise<Answer<number> | null> {
+    return answerOf(this.worker.call('mechanics.answer', { scenario, ask }).result);
   }
 
   /** A scenario's system as a file of another tool. */

@@ -1,8 +1,6 @@
 /** KaTeX and its style sheet, loaded once; formulas are set a few at a time, so that the page stays free in between. */
-import type katexModule from 'katex';
+import { loadKatex as load, type Katex } from '../../ui/kit/math.tsx';
 import { setMarks, type Typeset } from '../../core/model/typeset.ts';
-
-type Katex = typeof katexModule;
 
 /** Setting goes on for this long (ms) before the page gets its turn. */
 const SLICE = 8;
@@ -13,8 +11,7 @@ let busy = false;
 
 /** @throws when the files cannot be had */
 export async function loadKatex(): Promise<void> {
-  const [module] = await Promise.all([import('katex'), import('katex/dist/katex.min.css')]);
-  katex = module.default;
+  katex = await load();
 }
 
 /** LaTeX as KaTeX takes it: every symbol carries its name. */

@@ -1,7 +1,7 @@
 /** The documents that come with the page, to be read in it. */
 import { useState } from 'preact/hooks';
 import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
-import { Markdown } from './markdown.tsx';
+import { Markdown } from '../../ui/kit/markdown.tsx';
 import { words } from './words.ts';
 
 const loaders = import.meta.glob<string>('../../../docs/*.md', { query: '?raw', import: 'default' });

@@ -7,7 +7,7 @@ import { draw } from '../../../tests/ui/page.tsx';
 import { licencesOf } from '../../../scripts/licences.ts';
 import { glossary, idOf } from '../../ui/glossary.ts';
 import { Licences } from './about.tsx';
-import { Markdown } from './markdown.tsx';
+import { Markdown } from '../../ui/kit/markdown.tsx';
 
 afterEach(cleanup);
 

@@ -1,6 +1,5 @@
 /** As much of Markdown as our documents use: headings, paragraphs, lists, tables, code, emphasis, links. No markup passes through. */
 import type { ComponentChildren, VNode } from 'preact';
-
 import { Math } from './math.tsx';
 
 type LinkOf = (file: string) => (() => void) | null;

@@ -1,0 +1,15 @@
+import type { Feature } from '../../ui/feature.ts';
+import { later } from '../../ui/kit/later.tsx';
+import { firstWords } from './firstWords.ts';
+
+export const lessons: Feature = {
+  id: 'lessons',
+  order: 92,
+  tool: {
+    title: firstWords.open,
+    icon: 'lessons',
+    size: 'narrow',
+    keep: true,
+    Body: later(async () => (await import('./lessonsTool.tsx')).LessonsTool),
+  },
+};

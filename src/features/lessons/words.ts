@@ -1,0 +1,22 @@
+/** All that the lessons' own controls say. */
+export const words = {
+  about: 'Texts with live parts and questions. What you answer is kept in this browser.',
+  progress: (right: number, all: number) => (all === 0 ? 'no questions' : `${right} of ${all} answered`),
+  own: 'Open a lesson of your own',
+  ownFailed: (why: string) => `This lesson can’t be read. ${why}`,
+  back: 'All lessons',
+  load: 'Show it',
+  loadFailed: (why: string) => `This can’t be shown. ${why}`,
+  noCase: (id: string) => `there is no case "${id}"`,
+  value: (name: string, value: string) => `${name} = ${value}`,
+  question: (n: number) => `Question ${n}`,
+  answer: 'Your answer',
+  inUnit: (unit: string) => `in ${unit}`,
+  check: 'Check',
+  hint: 'Hint',
+  computing: 'Computing …',
+  right: (answer: string) => `Right: ${answer}.`,
+  wrong: 'Not yet. Try again, or take the hint.',
+  noAnswer: (why: string) => `The answer can’t be computed: ${why}`,
+  fault: (why: string) => `${why[0]!.toUpperCase()}${why.slice(1)}.`,
+} as const;

@@ -1,7 +1,7 @@
 /** One lesson: its text, its live parts, its questions. */
 import { useState } from 'preact/hooks';
 import { isRight, readTyped } from '../../core/lessons/typed.ts';
-import type { Block, Lesson } from '../../core/lessons/lesson.ts';
+import type { Block, Lesson, Subject, Vary } from '../../core/lessons/lesson.ts';
 import { useUi } from '../../ui/context.ts';
 import { Markdown } from '../../ui/kit/markdown.tsx';
 import { answered, progress } from './progress.ts';
@@ -24,7 +24,9 @@ export function LessonView({ lesson }: { lesson: Lesson & { id: string } }) {
 function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
   const { app } = useUi();
   const { vary, title, subject } = block;
-  const [value, setValue] = useState(vary ? Number(((vary.from + vary.to) / 2).toPrecision(3)) : 0);
+  const given = vary ? valueIn(subject, vary) : null;
+  const [value, setValue] = useState(vary ? Number((given ?? (vary.from + vary.to) / 2).toPrecision(3)) : 0);
+  const [moved, setMoved] = useState(false);
   const [fault, setFault] = useState('');
   const show = async (change: number | null): Promise<void> => {
     try {
@@ -40,7 +42,11 @@ function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
   return (
     <div class="lesson-live" role="group" aria-label={title}>
       <span>{title}</span>
-      <button type="button" data-testid="lesson-show" onClick={() => void show(vary ? value : null)}>
+      <button
+        type="button"
+        data-testid="lesson-show"
+        onClick={() => void show(vary && (given === null || moved) ? value : null)}
+      >
         {words.load}
       </button>
       {vary && (
@@ -52,7 +58,10 @@ function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
             max={vary.to}
             step="any"
             value={value}
-            onInput={({ currentTarget }) => setValue(Number(Number(currentTarget.value).toPrecision(3)))}
+            onInput={({ currentTarget }) => {
+              setMoved(true);
+              setValue(Number(Number(currentTarget.value).toPrecision(3)));
+            }}
             onChange={({ currentTarget }) => void show(Number(Number(currentTarget.value).toPrecision(3)))}
           />
         </label>
@@ -60,6 +69,16 @@ function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
       {fault && <p role="alert">{fault}</p>}
     </div>
   );
+}
+
+/** What the scenario says of the value that a slider moves; null where it says nothing that is a number. */
+function valueIn(subject: Subject, { path: [group, name] }: Vary): number | null {
+  const values = 'scenario' in subject ? (subject.scenario[group] as Record<string, unknown> | undefined) : undefined;
+  const raw = values?.[name];
+  if (typeof raw === 'number') return raw;
+  if (typeof raw !== 'string') return null;
+  const typed = readTyped(raw, 'rad');
+  return 'value' in typed ? typed.value : null;
 }
 
 interface QuestionProps {

@@ -13,8 +13,8 @@ export function Math({ latex, display = false }: { latex: string; display?: bool
   const box = useRef<HTMLSpanElement>(null);
   useEffect(() => {
     let gone = false;
-    loadKatex().then(
-      (katex) => {
+    loadKatex()
+      .then((katex) => {
         if (gone || !box.current) return;
         katex.render(latex, box.current, {
           output: 'htmlAndMathml',
@@ -22,9 +22,9 @@ export function Math({ latex, display = false }: { latex: string; display?: bool
           throwOnError: false,
           displayMode: display,
         });
-      },
-      () => {},
-    );
+      })
+      // Where it cannot be had, or cannot be set in this document, the LaTeX stays.
+      .catch(() => {});
     return () => {
       gone = true;
     };

@@ -1,5 +1,5 @@
 /** The equations of what is typed, set under the editor as they come. */
-import type katexModule from 'katex';
+import { loadKatex, type Katex } from '../../ui/kit/math.tsx';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { setMarks, type Typeset } from '../../core/model/typeset.ts';
 import { loadTypeset, systemMetas } from '../../core/systems/registry.ts';
@@ -10,7 +10,7 @@ const MOST_COORDINATES = 7;
 
 interface Shown {
   typeset: Typeset;
-  katex: typeof katexModule;
+  katex: Katex;
 }
 
 /** @param id of the system that was read last */
@@ -20,8 +20,8 @@ export function Formulas({ id }: { id: string }) {
   useEffect(() => {
     let current = true;
     if (!long)
-      void Promise.all([loadTypeset(id), import('katex'), import('katex/dist/katex.min.css')]).then(
-        ([typeset, { default: katex }]) => current && typeset && setShown({ typeset, katex }),
+      void Promise.all([loadTypeset(id), loadKatex()]).then(
+        ([typeset, katex]) => current && typeset && setShown({ typeset, katex }),
         // The equations tool says what could not be loaded.
         () => undefined,
       );

@@ -1,6 +1,6 @@
 /**
  * A scenario's system for other tools: MJCF, a SymPy script, C. docs/exchange.md says what each of them holds,
- * docs/decisions/0033-exchange.md why.
+ * docs/decisions/0026-exchange.md why.
  */
 import type { System } from '../model/system.ts';
 import { faultOf } from '../description/index.ts';

@@ -38,7 +38,11 @@ export const between = (A: readonly number[], B: readonly number[]): number[] =>
     return A[i]! * B[j]! + A[i + 3]! * B[j + 3]! + A[i + 6]! * B[j + 6]!;
   });
 
-/** A pose moved along a unit twist, by an angle about it or a length along it (Rodrigues' formula). */
+/**
+ * A pose moved along a unit twist (Rodrigues' formula).
+ *
+ * @param by rad about it, or m along it where it does not turn
+ */
 export function moved({ p, R }: Pose, { omega, v }: Twist, by: number): Pose {
   if (norm(omega) < 0.5) return { p: add(p, v, by), R };
   const [s, c] = [Math.sin(by), 1 - Math.cos(by)];
@@ -51,7 +55,11 @@ export function moved({ p, R }: Pose, { omega, v }: Twist, by: number): Pose {
   return { p: add(centre, turned(add(p, centre, -1))), R: [0, 1, 2].flatMap((k) => columns.map((x) => x[k]!)) };
 }
 
-/** Unit quaternion (w, x, y, z) of a rotation, w not negative (S. W. Shepperd, J. Guidance and Control 1 (1978) 223). */
+/**
+ * Unit quaternion (w, x, y, z) of a rotation, w not negative (S. W. Shepperd, J. Guidance and Control 1 (1978) 223).
+ *
+ * @param R 3 x 3
+ */
 export function quaternionOf(R: readonly number[]): [number, number, number, number] {
   const [xx, yy, zz] = [R[0]!, R[4]!, R[8]!];
   const squares = [1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz];
@@ -72,6 +80,8 @@ export function quaternionOf(R: readonly number[]): [number, number, number, num
 /**
  * Moments and axes of a symmetric matrix by Jacobi's rotations (Golub and Van Loan, Matrix Computations, 4th ed., section 8.5):
  * I = R diag(moments) R^T, R a rotation.
+ *
+ * @param I 3 x 3, symmetric
  */
 export function principalAxes(I: readonly number[]): { moments: V3; R: number[] } {
   const A = [...I];

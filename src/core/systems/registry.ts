@@ -74,7 +74,12 @@ const isDescribed = (id: string): boolean =>
 export const learnSystem = (text: string, reading?: SystemReading): Promise<SystemView> =>
   own().then(({ learn }) => learn(text, systemViews, reading));
 
-/** The same for the description that a raw scenario holds, if it does: before it is checked. @throws ScenarioError */
+/**
+ * The same for the description that a raw scenario holds, if it does: before it is checked.
+ *
+ * @param raw JSON as parsed
+ * @throws ScenarioError
+ */
 export async function learnSystemOf(raw: unknown): Promise<void> {
   if (descriptionIn(raw) !== null) await (await own()).learnFrom(raw, systemViews);
 }

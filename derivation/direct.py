@@ -19,7 +19,7 @@ from .composite import Dynamics
 from .elimination import Saddle
 from .recorder import Recorder
 from .tape import Tape, arguments
-from .typescript import HEADER, Writer
+from .typescript import HEADER, Writer, module
 
 # A pivot of S below this share of its diagonal is rounding (`DEPENDENT` in core/mechanics).
 DEPENDENT = 1e-13
@@ -114,7 +114,7 @@ class Programs:
                                  [(f"c[{k}]", self.tape.at(i)) for k, i in enumerate(fixed)])]
         for name, s in self.sets.items():
             texts += s.texts(name, writer, of_state, constants)
-        return "\n".join(texts)
+        return module(texts)
 
 
     def program(self) -> str:

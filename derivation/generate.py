@@ -8,7 +8,7 @@ from .model import Model
 from .recorder import Recorder
 from .sharing import KEPT, Unit, columns, share
 from .tape import Tape
-from .typescript import HEADER, Writer, caller
+from .typescript import HEADER, Writer, caller, module
 
 
 def modules(model: Model, source: str) -> dict:
@@ -21,9 +21,9 @@ def modules(model: Model, source: str) -> dict:
         direct = {"accelerations.generated.ts": programs.text(source), "accelerations.generated.json": programs.program()}
         namespace = ["export * as direct from './accelerations.generated.ts';\n"]
     values, slopes = Equations(model).texts()
-    return {"equations.generated.ts": "\n".join([head("Expressions"), *namespace, *values]),
-            "jacobians.generated.ts": "\n".join([head("Jacobians"), *slopes]), **direct,
-            "poses.generated.ts": "\n".join([head("Poses"), poses(model)]),
+    return {"equations.generated.ts": module([head("Expressions"), *namespace, *values]),
+            "jacobians.generated.ts": module([head("Jacobians"), *slopes]), **direct,
+            "poses.generated.ts": module([head("Poses"), poses(model)]),
             "typeset.generated.json": typeset.text(model)}
 
 

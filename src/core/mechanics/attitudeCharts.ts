@@ -13,6 +13,7 @@
  *
  * Not guaranteed: a fixed step so long that the pitch passes from 60° to 90° within it has the error of such a step.
  */
+import { cosine, sine } from '../elementary/trigonometry.ts';
 import type { Forcing } from './forcing.ts';
 import type { StateMap } from './formulations/contract.ts';
 import { parameterIndex, type System } from '../model/system.ts';
@@ -264,7 +265,7 @@ export class AttitudeCharts {
     let nearest = Infinity;
     for (let family = 0; family < 2; family++) {
       const theta = atPole ? reference[0]! : near(Math.atan2(R[3]!, R[0]!) + family * Math.PI, reference[0]!);
-      const [c, s] = [Math.cos(theta), Math.sin(theta)];
+      const [c, s] = [cosine(theta), sine(theta)];
       const psi = near(Math.atan2(-R[6]!, c * R[0]! + s * R[3]!), reference[1]!);
       const alpha = near(Math.atan2(s * R[2]! - c * R[5]!, c * R[4]! - s * R[1]!), reference[2]!);
       const away = Math.hypot(theta - reference[0]!, psi - reference[1]!, alpha - reference[2]!);
@@ -285,17 +286,17 @@ export class AttitudeCharts {
     const [x, y, z] = [f[position[0]!]!, f[position[1]!]!, f[position[2]!]!];
     for (let i = 0; i < 3; i++) f[position[i]!] = Q[3 * i]! * x + Q[3 * i + 1]! * y + Q[3 * i + 2]! * z;
     // The torque T in body axes with E^T T = f, then E'^T T.
-    let [sr, cr, sp, cp] = [Math.sin(q[roll]!), Math.cos(q[roll]!), Math.sin(q[pitch]!), Math.cos(q[pitch]!)];
+    let [sr, cr, sp, cp] = [sine(q[roll]!), cosine(q[roll]!), sine(q[pitch]!), cosine(q[pitch]!)];
     if (Math.abs(cp) < SMALLEST_COSINE) cp = cp < 0 ? -SMALLEST_COSINE : SMALLEST_COSINE;
     const across = (f[yaw]! + sp * f[roll]!) / cp;
     w[0] = f[roll]!;
     w[1] = cr * f[pitch]! + sr * across;
     w[2] = -sr * f[pitch]! + cr * across;
     [sr, cr, sp, cp] = [
-      Math.sin(chartQ[roll]!),
-      Math.cos(chartQ[roll]!),
-      Math.sin(chartQ[pitch]!),
-      Math.cos(chartQ[pitch]!),
+      sine(chartQ[roll]!),
+      cosine(chartQ[roll]!),
+      sine(chartQ[pitch]!),
+      cosine(chartQ[pitch]!),
     ];
     f[yaw] = -sp * w[0] + cp * (sr * w[1] + cr * w[2]);
     f[pitch] = cr * w[1] - sr * w[2];
@@ -305,8 +306,8 @@ export class AttitudeCharts {
 
 /** Rz(yaw) Ry(pitch) Rx(roll) by rows. */
 function rotation(yaw: number, pitch: number, roll: number, out: Float64Array): void {
-  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
-  const [cr, sr] = [Math.cos(roll), Math.sin(roll)];
+  const [cy, sy, cp, sp] = [cosine(yaw), sine(yaw), cosine(pitch), sine(pitch)];
+  const [cr, sr] = [cosine(roll), sine(roll)];
   out[0] = cy * cp;
   out[1] = cy * sp * sr - sy * cr;
   out[2] = cy * sp * cr + sy * sr;
@@ -327,8 +328,8 @@ function product(A: Float64Array, B: Float64Array, out: Float64Array): void {
 /** The angular velocity in body axes, w = E rates. */
 function angular(q: Float64Array, v: Float64Array, angles: readonly number[], w: Float64Array): void {
   const [yaw, pitch, roll] = [angles[0]!, angles[1]!, angles[2]!];
-  const [sr, cr, cp] = [Math.sin(q[roll]!), Math.cos(q[roll]!), Math.cos(q[pitch]!)];
-  w[0] = v[roll]! - v[yaw]! * Math.sin(q[pitch]!);
+  const [sr, cr, cp] = [sine(q[roll]!), cosine(q[roll]!), cosine(q[pitch]!)];
+  w[0] = v[roll]! - v[yaw]! * sine(q[pitch]!);
   w[1] = v[pitch]! * cr + v[yaw]! * cp * sr;
   w[2] = -v[pitch]! * sr + v[yaw]! * cp * cr;
 }
@@ -336,11 +337,11 @@ function angular(q: Float64Array, v: Float64Array, angles: readonly number[], w:
 /** The angles' rates of an angular velocity in body axes; @param without more than |cos pitch|: the yaw stands still */
 function rates(q: Float64Array, w: Float64Array, angles: readonly number[], v: Float64Array, without: number): void {
   const [yaw, pitch, roll] = [angles[0]!, angles[1]!, angles[2]!];
-  const [sr, cr, cp] = [Math.sin(q[roll]!), Math.cos(q[roll]!), Math.cos(q[pitch]!)];
+  const [sr, cr, cp] = [sine(q[roll]!), cosine(q[roll]!), cosine(q[pitch]!)];
   const turn = Math.abs(cp) > without ? (sr * w[1]! + cr * w[2]!) / cp : 0;
   v[yaw] = turn;
   v[pitch] = cr * w[1]! - sr * w[2]!;
-  v[roll] = w[0]! + turn * Math.sin(q[pitch]!);
+  v[roll] = w[0]! + turn * sine(q[pitch]!);
 }
 
 /** The angle that differs from another by less than half a turn. */

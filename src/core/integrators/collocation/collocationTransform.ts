@@ -1,6 +1,7 @@
 import { luFactor, luSolve } from '../../linalg/lu.ts';
 import { derivativeOf, nodePolynomial, valueAt } from '../shared/polynomials.ts';
 import { power } from '../../elementary/powers.ts';
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 
 /**
  * Eigenvalues and eigenvectors of a collocation method's Runge-Kutta matrix A, by which I - h A (x) J falls apart into
@@ -49,8 +50,8 @@ function zeros(polynomial: readonly number[]): Complex[] {
   const leading = polynomial[degree]!;
   const radius = power(Math.abs(polynomial[0]! / leading), 1 / degree);
   const x = Array.from({ length: degree }, (_, k): Complex => [
-    radius * Math.cos(1 + (6 * k) / degree),
-    radius * Math.sin(1 + (6 * k) / degree),
+    radius * cosine(1 + (6 * k) / degree),
+    radius * sine(1 + (6 * k) / degree),
   ]);
   for (let sweep = 0; sweep < 100; sweep++) {
     x.forEach((xk, k) => {

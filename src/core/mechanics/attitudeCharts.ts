@@ -292,12 +292,7 @@ export class AttitudeCharts {
     w[0] = f[roll]!;
     w[1] = cr * f[pitch]! + sr * across;
     w[2] = -sr * f[pitch]! + cr * across;
-    [sr, cr, sp, cp] = [
-      sine(chartQ[roll]!),
-      cosine(chartQ[roll]!),
-      sine(chartQ[pitch]!),
-      cosine(chartQ[pitch]!),
-    ];
+    [sr, cr, sp, cp] = [sine(chartQ[roll]!), cosine(chartQ[roll]!), sine(chartQ[pitch]!), cosine(chartQ[pitch]!)];
     f[yaw] = -sp * w[0] + cp * (sr * w[1] + cr * w[2]);
     f[pitch] = cr * w[1] - sr * w[2];
     f[roll] = w[0];

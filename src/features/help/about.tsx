@@ -17,7 +17,7 @@ export function About() {
 /** Rows of the table of packages that the page carries. */
 const carried = (): string[][] =>
   dependencies
-    .slice(dependencies.indexOf('| In the page'), dependencies.indexOf('| In development'))
+    .slice(dependencies.indexOf('| In the page'), dependencies.indexOf('| On the command line'))
     .split('\n')
     .filter((line) => line.startsWith('|'))
     .slice(2)

@@ -62,7 +62,7 @@ test('a session without a pointer', async ({ page }) => {
   await page.keyboard.press('End');
   await page.keyboard.press('Enter');
   await expect(page.getByTestId('case-menu')).toBeFocused();
-  await expect(page.getByTestId('case-menu')).toHaveAccessibleName('Cases: Robot turning');
+  await expect(page.getByTestId('case-menu')).toHaveAccessibleName('Cases: Bicycle under a limp rider');
 
   // A number, and the run.
   await tabTo(page, 'duration');

@@ -63,6 +63,9 @@ export interface Ride extends RideStart {
   over(end: { reason: string; message: string; time: number }, file: ScenarioFile): void;
 }
 
+/** Share of a run after which its pace is known. */
+const PACED = 0.05;
+
 /** Starts runs and turns what the worker sends into the motion being watched. */
 export class Runs {
   private nextMotion = 1;
@@ -289,7 +292,8 @@ export class Runs {
         },
         rows: (columns, rows, time, counts) => {
           motion!.trajectory.append(columns, rows);
-          if (time > 0 && !onward) this.pace = counts.evaluations / time;
+          // The first rows come after a few short steps, which tell nothing of the rest.
+          if (!onward) this.pace = counts.evaluations / Math.max(time, PACED * scenario.duration);
           batch(() => {
             take(false);
             if (adopted) {

@@ -9,6 +9,7 @@ interface Said {
   message?: string;
   time?: number;
   end?: number;
+  playing?: boolean;
   title?: string;
   origin: string;
 }
@@ -44,6 +45,8 @@ ask = (message) => document.getElementById('lab').contentWindow.postMessage({ ri
   await answer({ id: 2, type: 'set', path: 'duration', value: 3 });
   await answer({ id: 3, type: 'run' });
   await expect.poll(async () => (await said()).at(-1)).toMatchObject({ type: 'ended', time: 3 });
+  // The run plays; where it is looked at, it has to stand.
+  expect(await answer({ id: 7, type: 'pause' })).toMatchObject({ playing: false });
   await answer({ id: 4, type: 'seek', time: 1.5 });
   expect(await answer({ id: 5, type: 'state' })).toMatchObject({ type: 'state', time: 1.5, end: 3 });
   expect((await answer({ id: 6, type: 'set', path: 'initial.tehta', value: 1 })).message).toContain('tehta');

@@ -6,12 +6,12 @@ import { effect } from '@preact/signals';
 import { columnOf } from '../../core/motion/columns.ts';
 import { TURN } from '../../core/motion/interpolation.ts';
 import { valueAt } from '../../core/motion/resample.ts';
-import { settled, written } from '../../core/scenario/own.ts';
+import { written } from '../../core/scenario/own.ts';
 import { parseScenario } from '../../core/scenario/schema.ts';
 import { withValue } from '../../core/scenario/sweepAxes.ts';
-import type { ScenarioFile } from '../../core/scenario/types.ts';
-import { learnSystemOf, systemMetas } from '../../core/systems/registry.ts';
+import { systemMetas } from '../../core/systems/registry.ts';
 import type { App } from '../app.ts';
+import { scenarioIn } from '../files/scenarioText.ts';
 
 /** Of the words, not of the program: a word is added without a new number, none is changed or taken away. */
 export const PROTOCOL = 1;
@@ -111,10 +111,7 @@ async function load(app: App, asked: Asked): Promise<void> {
     return;
   }
   if (typeof scenario !== 'object' || scenario === null) throw new Error(text.nothing);
-  await learnSystemOf(scenario);
-  const json = JSON.stringify(scenario);
-  parseScenario(json, systemMetas);
-  app.actions.loadScenario(settled(JSON.parse(json) as ScenarioFile), name);
+  app.actions.loadScenario(await scenarioIn(JSON.stringify(scenario), systemMetas), name);
 }
 
 /** One number or expression; what the scenario refuses leaves it as it was. */

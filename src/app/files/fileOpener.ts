@@ -1,11 +1,10 @@
 import { modelsOf } from '../../core/model/system.ts';
 import { settled } from '../../core/scenario/own.ts';
-import { parseScenario } from '../../core/scenario/schema.ts';
 import type { SystemMeta, SystemView } from '../../core/model/system.ts';
 import { dataView } from '../../core/motion/dataView.ts';
 import type { ImportChoices, Question } from '../../csv/plan.ts';
 import type { Kind } from '../../csv/units/units.ts';
-import { learnSystem, learnSystemIn, learnSystemOf, systemViews } from '../../core/systems/registry.ts';
+import { learnSystem, learnSystemOf, systemViews } from '../../core/systems/registry.ts';
 import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import type { CsvResult } from '../../csv/csv.ts';
@@ -18,6 +17,7 @@ import type { ExperimentState } from '../state/experiment.ts';
 import type { MessageActions } from '../state/messages.ts';
 import { kindOf } from './fileKind.ts';
 import { mergedChoices, remembering } from './mergedChoices.ts';
+import { scenarioIn } from './scenarioText.ts';
 import type { SettingsSlice } from '../state/settings.ts';
 import type { FileSlice } from './fileState.ts';
 import type { SampleInfo } from './samples.ts';
@@ -156,9 +156,7 @@ export class FileOpener {
   }
 
   private async readScenario(name: string, text: string): Promise<void> {
-    await learnSystemIn(text);
-    parseScenario(text, this.context.metas);
-    const scenario = settled(JSON.parse(text.replace(/^\ufeff/, '')) as ScenarioFile);
+    const scenario = await scenarioIn(text, this.context.metas);
     this.run(name, 'scenario', name.replace(/\.json$/i, ''), scenario);
   }
 

@@ -6,6 +6,7 @@ import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, partsOf, systemOf } from './load.ts';
 import { nextTurn } from './nextTurn.ts';
 import type { RideCalls, RideRequest, RideUpdate } from './rideTypes.ts';
+import { sendRows, startedEvent } from './runEvents.ts';
 import type { RunEvent, RunResult } from './runTypes.ts';
 
 /** Computing time between looks at the mailbox, and the wait when the ride has caught up with the clock, ms. */
@@ -33,22 +34,12 @@ async function compute(
   const feedback = await feedbackFor(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, feedback });
   let seconds = 0;
-  emit({
-    type: 'started',
-    columns: [...simulation.columns],
-    adjustments: [...simulation.adjustments],
-    notes: [...simulation.notes, ...simulation.warnings],
-    engine: simulation.engine,
-  });
+  emit(startedEvent(simulation));
   let ready = true;
   const send = (): void => {
     if (simulation.rows === 0 || !(ready || simulation.end)) return;
     ready = false;
-    const { columns, rows } = simulation.takeChunk();
-    emit(
-      { type: 'rows', columns, rows, time: simulation.time, counts: simulation.counts, seconds },
-      columns.map((c) => c.buffer as ArrayBuffer),
-    );
+    sendRows(simulation, seconds, emit);
   };
   let { pace } = ride;
   /** The clock's time and the ride's time that belongs to it; null until the ride has come to where it is taken over. */

@@ -4,6 +4,7 @@ import { sharedFeedback } from '../../core/sweep/sharedFeedback.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, partsOf, systemOf } from './load.ts';
 import { nextTurn } from './nextTurn.ts';
+import { sendRows, startedEvent } from './runEvents.ts';
 import type { Live, RunCalls, RunEvent, RunRequest, RunResult } from './runTypes.ts';
 
 /** Computing time between looks at the mailbox: the run that follows a drag waits so long for the one before to stop. */
@@ -27,20 +28,8 @@ async function compute(
   const feedback = await designed(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });
   let seconds = 0;
-  emit({
-    type: 'started',
-    columns: [...simulation.columns],
-    adjustments: [...simulation.adjustments],
-    notes: [...simulation.notes, ...simulation.warnings],
-    engine: simulation.engine,
-  });
-  const send = (): void => {
-    const { columns, rows } = simulation.takeChunk();
-    emit(
-      { type: 'rows', columns, rows, time: simulation.time, counts: simulation.counts, seconds },
-      columns.map((c) => c.buffer as ArrayBuffer),
-    );
-  };
+  emit(startedEvent(simulation));
+  const send = (): void => sendRows(simulation, seconds, emit);
   /** Lets a run go on that was computed up to its horizon. */
   let wake = (): void => {};
   signal.addEventListener('abort', () => wake());

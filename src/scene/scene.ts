@@ -85,6 +85,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     const close = shown ? inset.place(focus, bodies) : null;
     draw();
     if (close) inset.draw(renderer, scene, close, size, look);
+    bodies.tidy();
     frames++;
     if (!announced && shown && bodies.count > 0) {
       announced = true;

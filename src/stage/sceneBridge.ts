@@ -141,6 +141,13 @@ function fitToElement(canvas: HTMLCanvasElement, view: SceneView): void {
   view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio);
 }
 
+/** Resolves once the next frame has been handed over. */
+const pictureDrawn = (): Promise<void> =>
+  new Promise((done) => {
+    requestAnimationFrame(() => setTimeout(done));
+    setTimeout(done, 200); // a page that is hidden has no frames
+  });
+
 /** Meshes follow the motion's proportions and the person's own files. Says whose are on the stage; a new object with every change. */
 function dress(app: App, view: SceneView): Signal<Dressed> {
   const dressed = signal<Dressed>({ system: null, models: {}, cast: null });
@@ -165,9 +172,12 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     if (key === wearing) return;
     wearing = key;
     const now = ++turn;
-    void loadDrawing(motion.system.meta, motion.parameters).then(
-      ({ pairs, bodies, fixtures, stage }) => {
-        if (now !== turn) return;
+    // New proportions follow their first picture: the motion answers at once, and only the last of many edits is drawn anew.
+    const ready = dressed.peek().system === id ? pictureDrawn() : Promise.resolve();
+    void ready.then(() => (now === turn ? loadDrawing(motion.system.meta, motion.parameters) : null)).then(
+      (drawing) => {
+        if (now !== turn || !drawing) return;
+        const { pairs, bodies, fixtures, stage } = drawing;
         try {
           const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
           const named = bodies.map((body) => ({

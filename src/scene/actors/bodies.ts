@@ -44,6 +44,8 @@ export function parsePair(pair: MeshPair, name: string): GroupType {
 
 interface Drawn {
   model: BodyModel;
+  /** What it was built from. */
+  pair: MeshPair;
   /** Moves with the pose. */
   root: GroupType;
   /** Spins about the hub's y axis; null on a body without a wheel of its own. */
@@ -52,6 +54,9 @@ interface Drawn {
   /** Bounds in the body's frame. */
   box: Box3;
 }
+
+const samePair = (a: MeshPair, b: MeshPair): boolean => a.mdl === b.mdl && a.mat === b.mat;
+const sameModel = (a: BodyModel, b: BodyModel): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 /** Puts a group where pose `index` says; false when there is none. */
 export function setPose(root: GroupType, poses: Float64Array, index: number): boolean {
@@ -70,6 +75,8 @@ export class Bodies {
   /** What stands still, in world axes. */
   private fixtures: Drawn[] = [];
   private readonly hidden = new Set<number>();
+  /** Materials of bodies that went: their shaders live on until the next picture has taken them over. */
+  private retired: MeshStandardMaterial[] = [];
   private palette: Palette;
   private environment = false;
   /** Last poses and wheel angles, kept for bodies that come after them; the caller reuses its arrays. */
@@ -91,16 +98,19 @@ export class Bodies {
     bodies: readonly BodyModel[],
     fixtures: readonly BodyModel[] = [],
   ): void {
+    const before = new Set([...this.drawn, ...this.fixtures]);
     const build = (model: BodyModel): Drawn => {
       const pair = models[model.model];
       if (!pair) throw new MeshError(`There is no model “${model.model}” for the body “${model.id}”`);
-      return this.build(model, parsePair(pair, model.model));
+      const same = [...before].find((body) => samePair(body.pair, pair) && sameModel(body.model, model));
+      return same ?? this.build(model, pair, model.model);
     };
     const [next, still] = [bodies.map(build), fixtures.map(build)];
-    for (const body of [...this.drawn, ...this.fixtures]) this.remove(body);
+    const kept = new Set([...next, ...still]);
+    for (const body of before) if (!kept.has(body)) this.remove(body);
     this.drawn = next;
     this.fixtures = still;
-    for (const body of [...next, ...still]) this.add(body);
+    for (const body of kept) if (!before.has(body)) this.add(body);
     this.version++;
     this.arrange();
   }
@@ -112,7 +122,7 @@ export class Bodies {
       const names = [...new Set(this.drawn.flatMap(({ model }) => [model.id, model.model]))].join(', ');
       throw new MeshError(`There is no body “${id}”${names === '' ? '' : `; the bodies are ${names}`}`);
     }
-    const next = indices.map((i) => this.build(this.drawn[i]!.model, parsePair(pair, id)));
+    const next = indices.map((i) => this.build(this.drawn[i]!.model, pair, id));
     indices.forEach((i, k) => {
       this.remove(this.drawn[i]!);
       this.drawn[i] = next[k]!;
@@ -190,13 +200,21 @@ export class Bodies {
     return wheel ? new Box3().setFromObject(wheel, true).getCenter(new Vector3()) : null;
   }
 
+  /** Lets go of what the last picture did without; to be called once it is drawn. */
+  tidy(): void {
+    for (const s of this.retired) s.dispose();
+    this.retired = [];
+  }
+
   dispose(): void {
     for (const body of [...this.drawn, ...this.fixtures]) this.remove(body);
     this.drawn = [];
     this.fixtures = [];
+    this.tidy();
   }
 
-  private build(model: BodyModel, group: GroupType): Drawn {
+  private build(model: BodyModel, pair: MeshPair, name: string): Drawn {
+    const group = parsePair(pair, name);
     const root = new Group();
     root.matrixAutoUpdate = false;
     root.name = model.id;
@@ -219,7 +237,7 @@ export class Bodies {
       root.add(wheel);
     }
     root.add(...group.children.slice());
-    return { model, root, wheel, surfaces, box };
+    return { model, pair, root, wheel, surfaces, box };
   }
 
   /** The bodies' groups, in their order: a clone shares their geometry. */
@@ -266,7 +284,7 @@ export class Bodies {
     body.root.traverse((child) => {
       if (child instanceof Mesh) (child.geometry as BufferGeometry).dispose();
     });
-    for (const s of body.surfaces) s.dispose();
+    this.retired.push(...body.surfaces);
   }
 }
 

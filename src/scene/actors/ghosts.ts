@@ -23,6 +23,8 @@ export class Ghosts {
   private palette: Palette;
   private size: PixelSize = { perPixel: 1e-3, ratio: 1 };
   private readonly drawn = new Map<string, Drawn>();
+  /** Of ghosts that went, for those to come: what is new has its shaders compiled anew. */
+  private readonly spare: Pick<Drawn, 'material' | 'word'>[] = [];
   /** Of the bodies whose geometry is borrowed. */
   private version = -1;
 
@@ -62,12 +64,18 @@ export class Ghosts {
 
   dispose(): void {
     for (const id of [...this.drawn.keys()]) this.remove(id);
+    for (const { material, word } of this.spare.splice(0)) {
+      material.dispose();
+      word.dispose();
+    }
   }
 
   private add(ghost: Ghost): void {
     this.version = this.bodies.version;
-    const material = new MeshLambertMaterial({ transparent: true, opacity: OPACITY, toneMapped: false });
-    const word = new Word(this.scene);
+    const { material, word } = this.spare.pop() ?? {
+      material: new MeshLambertMaterial({ transparent: true, opacity: OPACITY, toneMapped: false }),
+      word: new Word(this.scene),
+    };
     word.resize(this.size);
     const roots = this.bodies.roots().map((root) => {
       const copy = root.clone(true);
@@ -107,8 +115,8 @@ export class Ghosts {
     const drawn = this.drawn.get(id);
     if (!drawn) return;
     this.scene.remove(...drawn.roots);
-    drawn.material.dispose();
-    drawn.word.dispose();
+    drawn.word.hide();
+    this.spare.push({ material: drawn.material, word: drawn.word });
     this.drawn.delete(id);
   }
 }

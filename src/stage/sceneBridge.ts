@@ -174,33 +174,35 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     const now = ++turn;
     // New proportions follow their first picture: the motion answers at once, and only the last of many edits is drawn anew.
     const ready = dressed.peek().system === id ? pictureDrawn() : Promise.resolve();
-    void ready.then(() => (now === turn ? loadDrawing(motion.system.meta, motion.parameters) : null)).then(
-      (drawing) => {
-        if (now !== turn || !drawing) return;
-        const { pairs, bodies, fixtures, stage } = drawing;
-        try {
-          const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
-          const named = bodies.map((body) => ({
-            ...body,
-            label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id,
-          }));
-          const [models, cast] = [
-            Object.fromEntries(worn) as Record<string, MeshPair>,
-            { id, bodies: named, fixtures, stage },
-          ];
-          view.setModels(models, cast);
-          good = own;
-          dressed.value = { system: id, models, cast };
-        } catch (error) {
-          app.actions.setMeshes(good);
-          app.actions.report('error', 'The mesh could not be shown', [
-            (error as Error).message,
-            'The bodies on the stage are as before.',
-          ]);
-        }
-      },
-      (error: unknown) => app.actions.report('error', 'The meshes could not be loaded', [String(error)]),
-    );
+    void ready
+      .then(() => (now === turn ? loadDrawing(motion.system.meta, motion.parameters) : null))
+      .then(
+        (drawing) => {
+          if (now !== turn || !drawing) return;
+          const { pairs, bodies, fixtures, stage } = drawing;
+          try {
+            const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
+            const named = bodies.map((body) => ({
+              ...body,
+              label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id,
+            }));
+            const [models, cast] = [
+              Object.fromEntries(worn) as Record<string, MeshPair>,
+              { id, bodies: named, fixtures, stage },
+            ];
+            view.setModels(models, cast);
+            good = own;
+            dressed.value = { system: id, models, cast };
+          } catch (error) {
+            app.actions.setMeshes(good);
+            app.actions.report('error', 'The mesh could not be shown', [
+              (error as Error).message,
+              'The bodies on the stage are as before.',
+            ]);
+          }
+        },
+        (error: unknown) => app.actions.report('error', 'The meshes could not be loaded', [String(error)]),
+      );
   });
   return dressed;
 }

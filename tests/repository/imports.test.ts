@@ -39,7 +39,7 @@ const CORE: Table = {
   gait: ['model', 'scenario', 'simulation', 'motion'],
   manoeuvres: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
   sweep: ['model', 'mechanics', 'scenario', 'simulation', 'motion'],
-  control: ['linalg', 'model', 'mechanics', 'scenario', 'motion'],
+  control: ['elementary', 'linalg', 'model', 'mechanics', 'scenario', 'motion'],
   lessons: ['model', 'mechanics', 'scenario', 'motion', 'sweep', 'control'],
   exchange: ['linalg', 'model', 'engine', 'description', 'mechanics', 'scenario', 'simulation'],
 };

@@ -346,15 +346,14 @@ function checkLqr(
   };
 }
 
-/** A path goes with a computer, one regulator, and states that are known. */
+/** A path goes with a computer, and with no schedule: its regulators follow the path's curvature. */
 function followedPath(c: Checker, control: ReadonlyMap<string, unknown>, meta: SystemMeta): LqrControl['path'] {
   if (!control.get('sample')) c.add('control.path', 'is followed by a computer: give control.sample (s) too');
-  for (const key of ['schedule', 'sensors'])
-    if (control.get(key) !== undefined)
-      c.add(
-        `control.${key}`,
-        `can't go with control.path, whose regulators are about turns, not about control.at; leave one of them out`,
-      );
+  if (control.get('schedule') !== undefined)
+    c.add(
+      'control.schedule',
+      `can't go with control.path, whose regulators are about turns, not about control.at; leave one of them out`,
+    );
   return checkPath(c, control.get('path'), meta);
 }
 

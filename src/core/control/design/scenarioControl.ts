@@ -158,8 +158,14 @@ export function filterOf({ control }: Scenario, { linearization }: LqrDesign): F
   });
 }
 
-/** Rounding to steps is noise of a twelfth of their square (Åström and Wittenmark, section 9.8). */
-function deviationOf({ noise, density = 0, resolution = 0 }: Sensor, sample: number | undefined): number {
+/**
+ * What a filter takes for a sensor's noise: per sample, or per √Hz without a sample time. Rounding to steps is noise of a
+ * twelfth of their square (Åström and Wittenmark, section 9.8).
+ *
+ * @param sensor the scenario's own
+ * @param sample s; undefined for a continuous filter
+ */
+export function deviationOf({ noise, density = 0, resolution = 0 }: Sensor, sample: number | undefined): number {
   if (!sample) return density;
   return Math.hypot(noise ?? density / Math.sqrt(sample), resolution / Math.sqrt(12));
 }

@@ -11,7 +11,7 @@ import { luFactor, luSolve } from '../../linalg/lu.ts';
  * Singular values below this share of the largest are those of eigenvalues common to both matrices, zero but for
  * rounding; the others are not far below 1e-6 of it.
  */
-const COMMON = 1e-11;
+const COMMON = 1e-9;
 
 /**
  * X (r x s) of least norm that minimizes |A X - X B - C| (Frobenius); A is r x r, B s x s.

@@ -64,17 +64,19 @@ export interface ReachableSplit extends Reachability {
  * @param sizes of B's columns, as in `reachableSubspace`
  * @param basis of the tangent space that A and B are in, or the plant in balanced coordinates: with either, ranks are
  * decided in those
+ * @param weakest as in `reachableSubspace`
  */
 export function splitByReachability(
   A: Matrix,
   B: Matrix,
   sizes?: readonly number[],
   basis?: Matrix | BalancedPlant,
+  weakest = 0,
 ): ReachableSplit {
   const I = Matrix.eye(A.rows);
   const plant = !basis ? { A, B, basis: I, back: I, unit: 1 } : basis instanceof Matrix ? balanced(basis, A, B) : basis;
   const sized = sizes?.map((size) => size / plant.unit);
-  const split = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized));
+  const split = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized, 1, weakest));
   if (!leavesGrowing(split)) return split;
   // There in the middle of the plant's rates, where fast and slow modes are as far from 1.
   const middle = basis instanceof Matrix ? inUnit(basis, A, B, middleRate(A)) : plant;

@@ -29,8 +29,15 @@ export interface Reachability {
  * @param sizes what each column of B would be if nothing cancelled in it (its own size if left out): a column that is
  * rounding beside that does nothing
  * @param before strength of what A itself was cut out by, 1 for a matrix as it was computed
+ * @param weakest share below which a singular value does not count whatever the gaps say; 0: each that is no rounding counts
  */
-export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[], before = 1): Reachability {
+export function reachableSubspace(
+  A: Matrix,
+  B: Matrix,
+  sizes?: readonly number[],
+  before = 1,
+  weakest = 0,
+): Reachability {
   const whole = norm(A);
   const stages: number[] = [];
   const margin = { kept: Infinity, dropped: 0 };
@@ -42,7 +49,10 @@ export function reachableSubspace(A: Matrix, B: Matrix, sizes?: readonly number[
   while (complement.columns > 0 && block.columns > 0) {
     // In coordinates of the complement the new directions are orthogonal to the old ones to rounding.
     const size = scale;
-    const found = columnSpace(complement.transpose().mmul(block), (values) => rankByGap(values, size, strength));
+    const found = columnSpace(complement.transpose().mmul(block), (values) => {
+      const counted = rankByGap(values, size, strength);
+      return Math.min(counted, values.filter((value) => value > weakest * size).length);
+    });
     if (found.basis.columns > 0) {
       margin.kept = Math.min(margin.kept, found.kept / scale);
       strength *= Math.min(1, found.kept / scale);

@@ -1,3 +1,4 @@
+import { cosine, direction, sine } from '../../elementary/trigonometry.ts';
 import { pointsOf, type PathOptions } from '../../scenario/path.ts';
 
 /** A place on a path: where it is, which way it goes (rad), how it bends (1/m, to the left positive). */
@@ -14,7 +15,12 @@ export interface PathCurve {
   nearest(x: number, y: number, heading: number, out: PathPlace): void;
   /** Its curvatures, from the least to the most: 0 or one value where they do not change. */
   readonly bends: readonly [number, number];
+  /** Ways that it heads (rad): the one of a line, else two at a right angle, between which all lie. */
+  readonly headings: readonly number[];
 }
+
+/** Of a path that turns. */
+const ALL_WAYS = [0, Math.PI / 2] as const;
 
 /**
  * The curve of a scenario's path.
@@ -28,9 +34,10 @@ export function pathCurve(path: PathOptions): PathCurve {
 }
 
 function line({ x: x0, y: y0, heading: chi }: { x: number; y: number; heading: number }): PathCurve {
-  const [c, s] = [Math.cos(chi), Math.sin(chi)];
+  const [c, s] = [cosine(chi), sine(chi)];
   return {
     bends: [0, 0],
+    headings: [chi],
     nearest(x, y, _heading, out) {
       const along = (x - x0) * c + (y - y0) * s;
       out.x = x0 + along * c;
@@ -43,14 +50,15 @@ function line({ x: x0, y: y0, heading: chi }: { x: number; y: number; heading: n
 
 function circle(of: { radius: number; x: number; y: number; heading: number }): PathCurve {
   const { radius } = of;
-  const [cx, cy] = [of.x - radius * Math.sin(of.heading), of.y + radius * Math.cos(of.heading)];
+  const [cx, cy] = [of.x - radius * sine(of.heading), of.y + radius * cosine(of.heading)];
   const left = Math.sign(radius);
   return {
     bends: [1 / radius, 1 / radius],
+    headings: ALL_WAYS,
     nearest(x, y, _heading, out) {
-      const angle = Math.atan2(y - cy, x - cx);
-      out.x = cx + Math.abs(radius) * Math.cos(angle);
-      out.y = cy + Math.abs(radius) * Math.sin(angle);
+      const angle = direction(y - cy, x - cx);
+      out.x = cx + Math.abs(radius) * cosine(angle);
+      out.y = cy + Math.abs(radius) * sine(angle);
       out.heading = angle + (left * Math.PI) / 2;
       out.curvature = 1 / radius;
     },
@@ -68,6 +76,7 @@ const HEADING = 0.5;
  */
 class Spline implements PathCurve {
   readonly bends: readonly [number, number];
+  readonly headings = ALL_WAYS;
   private readonly x: Float64Array;
   private readonly y: Float64Array;
   private readonly heading: Float64Array;
@@ -76,12 +85,12 @@ class Spline implements PathCurve {
 
   constructor(points: readonly (readonly [number, number])[], closed: boolean) {
     const [first, last] = [points[0]!, points.at(-1)!];
-    const apart = Math.hypot(first[0] - last[0], first[1] - last[1]) > 1e-9;
+    const apart = distance(first[0] - last[0], first[1] - last[1]) > 1e-9;
     const through = closed && apart ? [...points, first] : points;
     this.closed = closed;
     const s = [0];
     for (let i = 1; i < through.length; i++)
-      s.push(s[i - 1]! + Math.hypot(through[i]![0] - through[i - 1]![0], through[i]![1] - through[i - 1]![1]));
+      s.push(s[i - 1]! + distance(through[i]![0] - through[i - 1]![0], through[i]![1] - through[i - 1]![1]));
     const second = [0, 1].map((k) =>
       secondDerivatives(
         s,
@@ -107,8 +116,9 @@ class Spline implements PathCurve {
         }),
       );
       [this.x[row], this.y[row]] = value as [number, number];
-      this.heading[row] = Math.atan2(rate![1]!, rate![0]!);
-      this.curvature[row] = (rate![0]! * bend![1]! - rate![1]! * bend![0]!) / Math.hypot(rate![0]!, rate![1]!) ** 3;
+      this.heading[row] = direction(rate![1]!, rate![0]!);
+      const speed = distance(rate![0]!, rate![1]!);
+      this.curvature[row] = (rate![0]! * bend![1]! - rate![1]! * bend![0]!) / (speed * speed * speed);
     }
     this.bends = [Math.min(...this.curvature), Math.max(...this.curvature)];
   }
@@ -118,12 +128,13 @@ class Spline implements PathCurve {
     let [best, least] = [0, Infinity];
     for (let i = 0; i < count; i++) {
       const off = HEADING * turned(heading - this.heading[i]!);
-      const distance = (x - this.x[i]!) ** 2 + (y - this.y[i]!) ** 2 + off * off;
-      if (distance < least) [best, least] = [i, distance];
+      const [dx, dy] = [x - this.x[i]!, y - this.y[i]!];
+      const away = dx * dx + dy * dy + off * off;
+      if (away < least) [best, least] = [i, away];
     }
     // On the neighbouring chord that is nearer; beyond an open end straight on.
     const from = Math.min(count - 2, this.along(best, x, y) < 0 ? Math.max(0, best - 1) : best);
-    const chord = Math.hypot(this.x[from + 1]! - this.x[from]!, this.y[from + 1]! - this.y[from]!);
+    const chord = distance(this.x[from + 1]! - this.x[from]!, this.y[from + 1]! - this.y[from]!);
     const share = this.along(from, x, y) / chord;
     const within = this.closed ? Math.max(0, Math.min(1, share)) : share;
     const inside = Math.max(0, Math.min(1, share));
@@ -138,9 +149,12 @@ class Spline implements PathCurve {
   private along(i: number, x: number, y: number): number {
     const k = Math.min(i, this.x.length - 2);
     const [dx, dy] = [this.x[k + 1]! - this.x[k]!, this.y[k + 1]! - this.y[k]!];
-    return ((x - this.x[i]!) * dx + (y - this.y[i]!) * dy) / Math.hypot(dx, dy);
+    return ((x - this.x[i]!) * dx + (y - this.y[i]!) * dy) / distance(dx, dy);
   }
 }
+
+/** The length of (x, y); Math.hypot differs between engines in its last digit. */
+const distance = (x: number, y: number): number => Math.sqrt(x * x + y * y);
 
 /** An angle within half a turn of 0. */
 export const turned = (angle: number): number => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));

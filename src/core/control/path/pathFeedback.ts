@@ -1,6 +1,7 @@
 import { Matrix } from 'ml-matrix';
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { inputsOf } from '../../model/inputs.ts';
-import type { Feedback } from '../../mechanics/forcing.ts';
+import type { Estimator, Feedback } from '../../mechanics/forcing.ts';
 import type { System } from '../../model/system.ts';
 import type { LqrControl, Scenario } from '../../scenario/types.ts';
 import { GainSchedule } from '../design/gainSchedule.ts';
@@ -9,6 +10,8 @@ import { plantOf, timingOf, weightsOf } from '../design/scenarioControl.ts';
 import { located } from '../linearization/preparedPlant.ts';
 import { sampledLqr } from '../sampled/sampledLqr.ts';
 import { pathCurve, turned, type PathCurve, type PathPlace } from './pathCurve.ts';
+import { PathEstimator } from './pathEstimator.ts';
+import { pathFilterOf } from './pathFilter.ts';
 import { planeOf, steadyTurn, type Plane, type SteadyTurn } from './steadyTurn.ts';
 
 /**
@@ -76,6 +79,9 @@ export function pathFeedbackOf(scenario: Scenario, system: System, control: LqrC
   const plane = planeOf(system.meta);
   const n = system.meta.coordinates.length;
   const limits = control.limits ?? {};
+  const estimator = control.sensors
+    ? new PathEstimator(pathFilterOf(scenario, system, control, curve, curvatures, plane), curve, plane)
+    : null;
   return new Map(
     control.inputs.map((name, k) => {
       const schedule = new GainSchedule(curvatures, (value) => ({
@@ -83,7 +89,7 @@ export function pathFeedbackOf(scenario: Scenario, system: System, control: LqrC
       }));
       return [
         name,
-        new PathFeedback(schedule, curve, plane, n, control.inputs.length, Number(limits[name] ?? Infinity)),
+        new PathFeedback(schedule, curve, plane, n, control.inputs.length, Number(limits[name] ?? Infinity), estimator),
       ];
     }),
   );
@@ -100,7 +106,15 @@ class PathFeedback implements Feedback {
   private readonly row: Float64Array;
   private readonly place: PathPlace = { x: 0, y: 0, heading: 0, curvature: 0 };
 
-  constructor(schedule: GainSchedule, curve: PathCurve, plane: Plane, n: number, inputs: number, limit: number) {
+  constructor(
+    schedule: GainSchedule,
+    curve: PathCurve,
+    plane: Plane,
+    n: number,
+    inputs: number,
+    limit: number,
+    readonly estimator: Estimator | null,
+  ) {
     this.schedule = schedule;
     this.curve = curve;
     this.plane = plane;
@@ -116,7 +130,7 @@ class PathFeedback implements Feedback {
     const { n, row, plane, place } = this;
     this.curve.nearest(q[plane.x]!, q[plane.y]!, q[plane.heading]!, place);
     this.schedule.at(place.curvature, row);
-    const [c, s] = [Math.cos(place.heading), Math.sin(place.heading)];
+    const [c, s] = [cosine(place.heading), sine(place.heading)];
     const [dx, dy] = [q[plane.x]! - place.x, q[plane.y]! - place.y];
     let u = row[0]!;
     for (let i = 0; i < n; i++) {

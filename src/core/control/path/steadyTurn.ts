@@ -24,6 +24,8 @@ export interface SteadyTurn {
   readonly u0: Float64Array;
   /** About it, in the turning vehicle's own axes, how far along it has come left out; coordinates, then velocities. */
   readonly linearization: Linearization;
+  /** The same with how far along it has come. */
+  readonly whole: Linearization;
 }
 
 /** Where the plane is in a system's coordinates. */
@@ -223,22 +225,28 @@ class TurnSearch {
     const lambda = new Float64Array(dynamics.m);
     dynamics.acceleration(0, q, v, new Float64Array(q.length), lambda);
     const motion: SteadyMotion = { ...straight, dynamics, q: q.slice(), v: v.slice(), lambda };
-    const linearization = alongside(linearize(motion, inputs), plane, curvature * speed);
-    return { motion, speed, curvature, u0: fixed, linearization };
+    const whole = turning(linearize(motion, inputs), plane, curvature * speed);
+    const linearization = alongside(whole, plane, curvature * speed);
+    return { motion, speed, curvature, u0: fixed, linearization, whole };
   }
 }
 
-/** The linearization in the turning vehicle's axes, deviations along the path taken out: xi - g xi_x / V, g the flow's own direction. */
-function alongside(world: Linearization, plane: Plane, omega: number): Linearization {
-  const { motion, basis: N } = world;
-  const { q, v } = motion;
-  const n = q.length;
+/** The linearization in the turning vehicle's axes, A - G: places and velocities turn with the vehicle. */
+function turning(world: Linearization, plane: Plane, omega: number): Linearization {
+  const n = world.motion.q.length;
   const A = world.A.clone();
-  // A - G: places and velocities turn with the vehicle.
   for (const offset of [0, n]) {
     A.set(offset + plane.x, offset + plane.y, A.get(offset + plane.x, offset + plane.y) + omega);
     A.set(offset + plane.y, offset + plane.x, A.get(offset + plane.y, offset + plane.x) - omega);
   }
+  return { ...world, A, tangentA: world.basis.transpose().mmul(A).mmul(world.basis) };
+}
+
+/** The same, deviations along the path taken out: xi - g xi_x / V, g the flow's own direction. */
+function alongside(whole: Linearization, plane: Plane, omega: number): Linearization {
+  const { motion, basis: N, A, B } = whole;
+  const { q, v } = motion;
+  const n = q.length;
   const P = Matrix.eye(2 * n);
   const flow = new Float64Array(2 * n);
   flow.set(v);
@@ -246,7 +254,7 @@ function alongside(world: Linearization, plane: Plane, omega: number): Lineariza
   flow[n + plane.y] = omega * v[plane.x]!;
   for (let i = 0; i < 2 * n; i++) P.set(i, plane.x, P.get(i, plane.x) - flow[i]! / v[plane.x]!);
   const basis = columnSpace(P.mmul(N), () => N.columns - 1).basis;
-  const [Ap, Bp] = [P.mmul(A).mmul(P), P.mmul(world.B)];
+  const [Ap, Bp] = [P.mmul(A).mmul(P), P.mmul(B)];
   const Nt = basis.transpose();
-  return { ...world, A: Ap, B: Bp, basis, tangentA: Nt.mmul(Ap).mmul(basis), tangentB: Nt.mmul(Bp) };
+  return { ...whole, A: Ap, B: Bp, basis, tangentA: Nt.mmul(Ap).mmul(basis), tangentB: Nt.mmul(Bp) };
 }

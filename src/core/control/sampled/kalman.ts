@@ -44,9 +44,15 @@ export interface ObservedPlant {
  * @param linearization about a steady motion
  * @param C rows of the sensors by all states, p x 2n
  * @param sensors names of C's rows
+ * @param weakest share below which what shows is not counted on, as in `reachableSubspace`
  * @throws ControlError naming an unstable mode that no sensor sees
  */
-export function observedPlant(linearization: Linearization, C: Matrix, sensors: readonly string[]): ObservedPlant {
+export function observedPlant(
+  linearization: Linearization,
+  C: Matrix,
+  sensors: readonly string[],
+  weakest = 0,
+): ObservedPlant {
   const { basis: N, tangentA, tangentB, states } = linearization;
   const seenRows = C.mmul(N);
   const [At, Ct] = [tangentA.transpose(), seenRows.transpose()];
@@ -56,13 +62,13 @@ export function observedPlant(linearization: Linearization, C: Matrix, sensors: 
   const scaled = C.clone();
   for (let i = states.length / 2; i < states.length; i++) scaled.mulColumn(i, balance.unit);
   const sizes = sensors.map((_, i) => norm(scaled.getRowVector(i)));
-  const split = splitByReachability(At, Ct, sizes, dual);
+  const split = splitByReachability(At, Ct, sizes, dual, weakest);
   const [V, U] = [split.reachable, split.complement];
   const unseen = modesOf(U.transpose().mmul(tangentA).mmul(U), N.mmul(U), states, split.scale);
   const lost = unseen.filter(({ eigenvalue: [re, im] }) => re > ON_AXIS * split.scale && im >= 0);
   if (lost.length > 0)
     throw new ControlError(
-      `${sensors.join(', ')} can't tell how to stabilize this motion: no sensor sees the unstable mode with eigenvalue ${lost
+      `${[...new Set(sensors)].join(', ')} can't tell how to stabilize this motion: no sensor sees the unstable mode with eigenvalue ${lost
         .map((m) => `${complexText(m.eigenvalue)} (${m.moves.slice(0, 4).join(', ')})`)
         .join('; ')}; name further sensors`,
     );

@@ -34,6 +34,13 @@ export class Sensors {
     for (let i = 0; i < this.count; i++) out[i] = this.formulas[i]!.evaluate(this.state);
   }
 
+  /** How what the i-th would read changes with each state, into `out`. */
+  slopes(i: number, q: ArrayLike<number>, v: ArrayLike<number>, out: Float64Array): void {
+    this.state.set(q);
+    this.state.set(v, q.length);
+    for (let k = 0; k < out.length; k++) out[k] = this.formulas[i]!.slope(this.state, k);
+  }
+
   /** What they read at the k-th sample (from 0), in the order of their names, into `out`. */
   read(k: number, q: ArrayLike<number>, v: ArrayLike<number>, out: Float64Array): void {
     this.exact(q, v, out);

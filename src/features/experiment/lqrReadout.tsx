@@ -111,7 +111,7 @@ function poleInWords([re, im]: readonly [number, number]): string {
   return `${formatShort(re, 3)}${im === 0 ? '' : ` ± ${formatShort(Math.abs(im), 3)}i`}`;
 }
 
-/** Open loop as crosses, closed loop as dots; what is far out stands at the edge. */
+/** Open loop as crosses, closed loop as dots; what is farther out points over the edge it stands at. */
 function ComplexPlane({
   open,
   closed,
@@ -136,16 +136,28 @@ function ComplexPlane({
       <rect x={WIDTH / 2} y="0" width={WIDTH / 2} height={HEIGHT} class="unstable" />
       <line x1="0" x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} class="axis" />
       <line x1={WIDTH / 2} x2={WIDTH / 2} y1="0" y2={HEIGHT} class="axis" />
-      <text x={WIDTH - 4} y={HEIGHT / 2 - 4} text-anchor="end">{`Re, ${formatShort(reach, 2)} 1/s`}</text>
+      <text x="4" y={HEIGHT / 2 - 6}>
+        {formatShort(-reach, 2)}
+      </text>
+      <text x={WIDTH - 4} y={HEIGHT / 2 - 6} text-anchor="end">{`Re ${formatShort(reach, 2)} 1/s`}</text>
       <text x={WIDTH / 2 + 4} y="11">
-        Im
+        {`Im ${formatShort(reach, 2)} 1/s`}
       </text>
       {open.map(([re, im], i) => (
         <path key={`o${i}`} d={`M${x(re) - 3.5} ${y(im) - 3.5}l7 7m0-7l-7 7`} class="open" />
       ))}
-      {closed.map(([re, im], i) => (
-        <circle key={`c${i}`} cx={x(re)} cy={y(im)} r="3.2" class="closed" />
-      ))}
+      {closed.map(([re, im], i) =>
+        Math.max(Math.abs(re), Math.abs(im)) <= reach ? (
+          <circle key={`c${i}`} cx={x(re)} cy={y(im)} r="3.2" class="closed" />
+        ) : (
+          <path
+            key={`c${i}`}
+            d="M4 0l-8 4.5v-9z"
+            transform={`translate(${x(re)} ${y(im)}) rotate(${(Math.atan2(-im, re) * 180) / Math.PI})`}
+            class="closed"
+          />
+        ),
+      )}
       <text x="4" y={HEIGHT - 5}>
         {words.legend}
       </text>

@@ -37,7 +37,7 @@ export const words = {
   controlKind: 'Controller',
   controlNone: 'None',
   controlTrack: 'Track a reference',
-  controlLqr: 'Linear-quadratic regulator (LQR)',
+  controlLqr: 'LQR (linear-quadratic regulator)',
   reference: 'reference',
   kp: 'proportional gain',
   kd: 'derivative gain',

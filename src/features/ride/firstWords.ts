@@ -2,4 +2,5 @@
 export const firstWords = {
   ride: 'Ride it',
   title: 'Steer the board yourself, by keys, touch, gamepad or a phone’s tilt',
+  keyLine: 'steer the board yourself',
 };

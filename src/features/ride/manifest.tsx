@@ -16,7 +16,7 @@ const commands: readonly Command[] = [
     id: 'ride',
     label: firstWords.ride,
     hint: firstWords.title,
-    keys: [{ key: 'u', line: { what: firstWords.title } }],
+    keys: [{ key: 'u', line: { what: firstWords.keyLine } }],
     perform: () => void (riding.value = !riding.value),
   },
 ];

@@ -1,4 +1,5 @@
 /** The help: the sheet of keys, with what a feature offers beside it, and the pages that features add. */
+import { Fragment } from 'preact';
 import { useState } from 'preact/hooks';
 import { text as storedText } from '../../app/words.ts';
 import { sheetOf } from '../../app/commands.ts';
@@ -56,6 +57,20 @@ export function HelpDialog({ onForget }: { onForget?: (() => void) | undefined }
   );
 }
 
+/** A word between keys as it is, a key as a key; a comma after it is none of its. */
+function inKeys(word: string) {
+  const key = word.length > 1 ? word.replace(/,$/, '') : word;
+  const after = word.slice(key.length);
+  return /^[–a-z]/.test(word) ? (
+    ` ${word} `
+  ) : (
+    <Fragment key={word}>
+      <kbd>{key}</kbd>
+      {after && `${after} `}
+    </Fragment>
+  );
+}
+
 function Keys({ close, onForget }: { close(): void; onForget?: (() => void) | undefined }) {
   const { features, commands } = useUi();
   return (
@@ -63,7 +78,7 @@ function Keys({ close, onForget }: { close(): void; onForget?: (() => void) | un
       <dl class="keys">
         {sheetOf(commands).map(([keys, what]) => (
           <div key={keys}>
-            <dt>{keys.split(' ').map((key) => (/^[–a-z]/.test(key) ? ` ${key} ` : <kbd key={key}>{key}</kbd>))}</dt>
+            <dt>{keys.split(' ').map(inKeys)}</dt>
             <dd>{what}</dd>
           </div>
         ))}

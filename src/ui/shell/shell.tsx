@@ -14,6 +14,7 @@ import { Slot } from '../slot.tsx';
 import { useKeyboard } from './keyboard.ts';
 import { useMedia } from '../kit/media.ts';
 import { Messages } from './messages.tsx';
+import { useOnScreenKeyboard } from './onScreenKeyboard.ts';
 import { LeftPanel, Sheet, Tools } from './panels.tsx';
 import { SkipLinks } from './skipLinks.tsx';
 import { StageOverlay } from '../stage/stageOverlay.tsx';
@@ -59,6 +60,7 @@ export function Shell({
   const phone = useMedia(PHONE);
   useTheme(app);
   useKeyboard(ui);
+  useOnScreenKeyboard();
   return (
     <UiContext.Provider value={ui}>
       <SkipLinks />

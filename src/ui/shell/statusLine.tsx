@@ -138,7 +138,7 @@ function FileFacts() {
         {motion.trajectory.columns.length} {text.status.columns}
       </span>
       {skipped > 0 && <span data-testid="skipped">{text.status.skipped(skipped)}</span>}
-      {motion.system.meta.bodies.length > 0 && <Trust numbers={motion.judgement} driven={isDriven(motion)} />}
+      {motion.judgement && <Trust numbers={motion.judgement} driven={isDriven(motion)} />}
     </>
   );
 }

@@ -180,6 +180,8 @@ export interface SceneView {
   setFollow(follow: boolean): void;
   setSwitches(switches: Partial<Switches>): void;
   setQuality(quality: Quality): void;
+  /** Whether pictures must come soon, as while somebody steers: a slow device draws them coarser, unless high quality is an order. */
+  setHasty(hasty: boolean): void;
   /** A second look, at the close-up's body, within this box; null without. Nothing on a stage without a close-up. */
   setInset(box: ScreenBox | null): void;
   setPushByDrag(when: PushByDrag): void;

@@ -3,6 +3,7 @@ import { Color, Fog, Scene, Vector3 } from 'three';
 import { CameraRig } from './camera/camera.ts';
 import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './environment/device.ts';
+import { Haste } from './environment/haste.ts';
 import { Focus } from './camera/focus.ts';
 import { METRES_PER_NEWTON } from './overlay/forces.ts';
 import { PushDrag } from './overlay/pushDrag.ts';
@@ -51,6 +52,9 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     requestRender();
   });
   room.set(options.quality ?? 'auto');
+  const haste = new Haste(software);
+  let hasty = false;
+  let quality = options.quality ?? 'auto';
 
   const size = { width: 1, height: 1, ratio: 1 };
   let frames = 0;
@@ -81,6 +85,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   function render(now: number): void {
     requested = 0;
     rig.update(now);
+    if (haste.picture(now)) sharpen();
     renderer.info.reset();
     const close = shown ? inset.place(focus, bodies) : null;
     draw();
@@ -105,6 +110,30 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     const done = room.watch(announced ? frames : 0);
     renderer.render(scene, camera);
     done();
+  }
+
+  /** As fine as there is time for. */
+  function sharpen(): void {
+    parts.setShadows(haste.shadows);
+    renderer.setPixelRatio(size.ratio * haste.share);
+    renderer.setSize(size.width, size.height, false);
+    measure();
+  }
+
+  function hasten(): void {
+    const { share } = haste;
+    haste.set(hasty && quality !== 'high');
+    if (haste.share === share) return;
+    sharpen();
+    redraw();
+  }
+
+  /** A canvas that changes its size is emptied: it must not be seen black until the next frame. */
+  function redraw(): void {
+    cancelAnimationFrame(requested);
+    requested = 0;
+    if (frames > 0 && !lost) render(performance.now());
+    else requestRender();
   }
 
   /** What depends on where one stands. */
@@ -153,7 +182,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   }
 
   function measure(): void {
-    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio });
+    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio * haste.share });
   }
 
   function pickAt(x: number, y: number, reach = 0) {
@@ -224,9 +253,15 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       if (view === 'rider') rig.ride(focus.ride(switches.level));
       show();
     },
-    setQuality(quality) {
-      room.set(quality);
-      requestRender();
+    setQuality(next) {
+      quality = next;
+      room.set(next);
+      hasten();
+    },
+    setHasty(next) {
+      if (next === hasty) return;
+      hasty = next;
+      hasten();
     },
     setInset(box) {
       inset.box = box;
@@ -254,18 +289,14 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       size.width = Math.max(1, w);
       size.height = Math.max(1, h);
       size.ratio = Math.min(Math.max(devicePixelRatio, 0.25), options.still ? Infinity : MAX_PIXEL_RATIO);
-      renderer.setPixelRatio(size.ratio);
+      renderer.setPixelRatio(size.ratio * haste.share);
       renderer.setSize(size.width, size.height, false);
       const aspect = size.width / size.height;
       rig.setAspect(aspect, size.height < LOW && !options.still ? LIFT : 0);
       measure();
       if (view === 'top' && shown && liesDown(before) !== liesDown(aspect)) go(true);
       else if (view !== 'rider') rig.dolly(focus.dolly(view, before, aspect, bodies));
-      // A canvas that changes its size is emptied: it must not be seen black until the next frame.
-      cancelAnimationFrame(requested);
-      requested = 0;
-      if (frames > 0 && !lost) render(performance.now());
-      else requestRender();
+      redraw();
     },
     setBodyVisible(index, visible) {
       bodies.setVisible(index, visible);

@@ -92,6 +92,9 @@ export async function connectScene(
 function connectSettings({ state }: App, view: SceneView): void {
   effect(() => view.setSwitches(drawnSettings(state)));
   effect(() => view.setQuality(state.quality.value));
+  effect(() =>
+    view.setHasty(state.run.value?.kind === 'computing' && state.motion.value?.written?.control?.type === 'ride'),
+  );
   effect(() => view.setInset(state.insetBox.value));
   effect(() =>
     view.setPushByDrag(!canPush(state.motion.value) ? 'never' : state.dragPushes.value ? 'always' : 'shift'),

@@ -71,6 +71,19 @@ test('a call is answered with its result; several run side by side, in one worke
   expect(started).toBe(1);
 });
 
+test('a prompt call is heard whole and in order through a channel of its own, whatever else the worker says', async () => {
+  const client = remote();
+  const heard: number[] = [];
+  const prompt = client.call('test.count', 20, { prompt: true, onEvent: (n) => heard.push(n) });
+  prompt.update('faster');
+  const other = client.call('test.count', 3).result;
+  expect(await prompt.result).toBe('whole faster');
+  expect(heard).toEqual(Array.from({ length: 20 }, (_, i) => i));
+  expect(await other).toBe('whole');
+  const error = await failure(client.call('test.fail', 'scenario', { prompt: true }).result);
+  expect(error).toMatchObject({ name: 'ScenarioError', path: 'initial.alpha' });
+});
+
 test('a service is loaded when it is first called; one that there is not, or that cannot be had, is an error', async () => {
   loads = 0;
   const client = remote();

@@ -41,7 +41,7 @@ export class RunClient {
     const abort = new AbortController();
     const heard = { signal: abort.signal, onEvent: (event: RunEvent) => hear(event, handlers) };
     const call = ride
-      ? this.worker.call('ride.compute', { scenario, ride }, heard)
+      ? this.worker.call('ride.compute', { scenario, ride }, { ...heard, prompt: true })
       : this.worker.call('run.compute', { scenario, from, live, until, soonest }, heard);
     const current = (this.current = { call, abort });
     void answerOf(call.result, 'rows computed so far are kept, run again to retry').then((answer) => {

@@ -17,7 +17,8 @@ export type Calls<T> = { [K in keyof T]: AnyCall };
 
 /** Page to worker. Every message names its call by a number that is never used again. */
 export type ToWorker =
-  | { kind: 'call'; call: number; name: string; request: unknown }
+  /** With a `channel`, all that the worker says of the call comes through the `BroadcastChannel` of that name. */
+  | { kind: 'call'; call: number; name: string; request: unknown; channel?: string | undefined }
   | { kind: 'update'; call: number; update: unknown }
   /** Please end soon, with an answer. */
   | { kind: 'abort'; call: number }

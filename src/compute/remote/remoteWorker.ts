@@ -13,6 +13,11 @@ export interface CallOptions<Event> {
   /** Aborting asks the worker to end the call with an answer: a partial result, or an error. */
   signal?: AbortSignal | undefined;
   transfer?: Transferable[] | undefined;
+  /**
+   * Heard at once after a key too. After a press browsers hold back a worker's messages until the page has drawn (up to 50 ms in
+   * Chromium), but not those of a broadcast channel; their buffers are copied in place of being moved.
+   */
+  prompt?: boolean | undefined;
 }
 
 /** A call under way. */
@@ -68,7 +73,7 @@ export class RemoteWorker<T extends Calls<T>> {
   call<K extends keyof T & string>(
     name: K,
     request: T[K]['request'],
-    { onEvent, signal, transfer = [] }: CallOptions<T[K]['event']> = {},
+    { onEvent, signal, transfer = [], prompt = false }: CallOptions<T[K]['event']> = {},
   ): OngoingCall<T[K]['result'], T[K]['update']> {
     const call = this.next++;
     const result = new Promise<T[K]['result']>((resolve, reject) => {
@@ -78,14 +83,16 @@ export class RemoteWorker<T extends Calls<T>> {
         this.post({ kind: 'abort', call });
         watchdog = setTimeout(() => this.lose('it did not answer'), this.patience);
       };
+      const channel = prompt && typeof BroadcastChannel === 'function' ? this.channel() : null;
       const forget = (): void => {
+        channel?.close();
         signal?.removeEventListener('abort', abort);
         clearTimeout(watchdog);
       };
       this.pending.set(call, { resolve, reject, onEvent, forget });
       signal?.addEventListener('abort', abort);
       try {
-        this.post({ kind: 'call', call, name, request }, transfer);
+        this.post({ kind: 'call', call, name, request, channel: channel?.name }, transfer);
       } catch (error) {
         // The worker could not be started, or the request cannot be sent.
         this.take(call)?.reject(error instanceof Error ? error : new Error(String(error)));
@@ -106,6 +113,14 @@ export class RemoteWorker<T extends Calls<T>> {
   /** Ends the worker; calls under way are dropped. */
   close(): void {
     this.end(aborted());
+  }
+
+  /** Of this call alone: other pages of the same origin hear every name. */
+  private channel(): BroadcastChannel {
+    const channel = new BroadcastChannel(`ripstik.call.${Math.random().toString(36).slice(2)}`);
+    channel.onmessage = ({ data }: MessageEvent<FromWorker>) => this.receive(data);
+    channel.onmessageerror = () => this.lose('a message could not be read');
+    return channel;
   }
 
   private post(message: ToWorker, transfer: Transferable[] = []): void {

@@ -32,6 +32,7 @@ export class Transferred<Result> {
 /** A service is loaded by the first call that names it. */
 export type Loaders = Readonly<Record<string, () => Promise<Readonly<Record<string, unknown>>>>>;
 
+type Asked = Extract<ToWorker, { kind: 'call' }>;
 type AnyHandler = (request: unknown, caller: Caller<unknown, unknown>) => unknown;
 
 /**
@@ -44,7 +45,7 @@ export function serve(endpoint: Endpoint, loaders: Loaders): void {
   const post = (message: FromWorker, transfer: Transferable[] = []): void => endpoint.postMessage(message, transfer);
   endpoint.addEventListener('messageerror', () => post({ kind: 'unreadable' }));
   endpoint.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
-    if (data.kind === 'call') return void answer(data.call, data.name, data.request);
+    if (data.kind === 'call') return void answer(data);
     const call = open.get(data.call);
     if (data.kind === 'update') return call?.update(data.update);
     // A call that is dropped is no longer open: what it still says is not sent.
@@ -52,9 +53,12 @@ export function serve(endpoint: Endpoint, loaders: Loaders): void {
     call?.controller.abort();
   });
 
-  async function answer(number: number, name: string, request: unknown): Promise<void> {
+  async function answer({ call: number, name, request, channel: named }: Asked): Promise<void> {
+    const channel = named === undefined ? null : new BroadcastChannel(named);
     const say = (message: FromWorker, transfer?: Transferable[]): void => {
-      if (open.get(number) === call) post(message, transfer);
+      if (open.get(number) !== call) return;
+      if (channel) channel.postMessage(message);
+      else post(message, transfer);
     };
     const call = new OpenCall((event, transfer) => say({ kind: 'event', call: number, event }, transfer));
     open.set(number, call);
@@ -67,6 +71,7 @@ export function serve(endpoint: Endpoint, loaders: Loaders): void {
       say({ kind: 'error', call: number, error: errorData(error) });
     }
     open.delete(number);
+    channel?.close();
   }
 }
 

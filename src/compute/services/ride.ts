@@ -36,9 +36,12 @@ async function compute(
   let seconds = 0;
   emit(startedEvent(simulation));
   let ready = true;
+  /** When there is a row that shows what the last command did, s; it is sent at once, to be in the next picture. */
+  let shown = Infinity;
   const send = (): void => {
-    if (simulation.rows === 0 || !(ready || simulation.end)) return;
+    if (simulation.rows === 0 || !(ready || simulation.time >= shown || simulation.end)) return;
     ready = false;
+    shown = Infinity;
     sendRows(simulation, seconds, emit);
   };
   let { pace } = ride;
@@ -49,7 +52,9 @@ async function compute(
     ready ||= drawn === true;
     if (command && !simulation.end) {
       const [name, value, given] = command;
-      emit({ type: 'told', command: tell(control, simulation.time, name, value), given });
+      const told = tell(control, simulation.time, name, value);
+      shown = Math.min(shown, told[0] + scenario.outputStep);
+      emit({ type: 'told', command: told, given });
     }
     if (next === undefined) return;
     if (since) since = { wall: performance.now(), time: simulation.time };

@@ -1,3 +1,6 @@
+/** What a display shows in a second, at least: what is missing of it was dropped, ms. */
+const INTERVAL = 1000 / 60;
+
 /** How long it takes from a key to the picture that shows what came of it, and how many pictures were left out. */
 export class Measure {
   readonly latencies: number[] = [];
@@ -5,7 +8,6 @@ export class Measure {
   frames = 0;
   private waiting: { given: number; time: number }[] = [];
   private last: number | null = null;
-  private readonly intervals: number[] = [];
 
   /** A command given then (ms) acts from this time of the ride on (s). */
   told(given: number, time: number): void {
@@ -14,16 +16,12 @@ export class Measure {
 
   /** A picture of the ride at this time (s) was handed to the display, now (ms). */
   frame(now: number, time: number): void {
-    const seen = this.waiting.filter((one) => one.time <= time);
-    this.waiting = this.waiting.filter((one) => one.time > time);
+    const seen = this.waiting.filter((one) => one.time < time);
+    this.waiting = this.waiting.filter((one) => one.time >= time);
     this.latencies.push(...seen.map(({ given }) => now - given));
     this.frames++;
     if (this.last !== null) {
-      const interval = now - this.last;
-      this.intervals.push(interval);
-      if (this.intervals.length > 60) this.intervals.shift();
-      const usual = median(this.intervals);
-      const missed = Math.round(interval / usual) - 1;
+      const missed = Math.round((now - this.last) / INTERVAL) - 1;
       if (missed > 0) {
         this.dropped += missed;
         this.frames += missed;

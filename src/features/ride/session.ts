@@ -11,7 +11,7 @@ type Phase = 'starting' | 'riding' | 'over';
 
 const DEGREES = 180 / Math.PI;
 /** The panel's numbers and the map are drawn this often, ms; the scene with every picture. */
-const DRAW_MS = 50;
+const DRAW_MS = 100;
 
 export class Session {
   phase: Phase = 'starting';
@@ -155,7 +155,7 @@ export class Session {
     if (motion.id !== this.motion) return void (this.phase = 'over');
     for (const pad of navigator.getGamepads?.() ?? []) if (pad?.connected) this.controls.gamepad(pad);
     this.look();
-    this.measure.frame(now, this.time);
+    this.measure.frame(performance.now(), this.time);
     if (now - this.drawn < DRAW_MS) return;
     this.drawn = now;
     this.draw();

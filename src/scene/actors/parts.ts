@@ -50,6 +50,11 @@ export class Parts {
     this.trails.setPlan(floor, size);
   }
 
+  setShadows(shown: boolean): void {
+    this.lights.setShadows(shown);
+    this.ground.setShadows(shown);
+  }
+
   /** Light and ground go with the subject. @param height (m) of a board that is not on both its wheels */
   follow({ subject, floor }: StagePlan, heading: number, height: number): void {
     const { bodies } = this;

@@ -110,6 +110,7 @@ export class Ground {
   };
   private strength = 0;
   private shown = false;
+  private shadows = true;
   /** Of the ground: what is below it is seen through it, the more the deeper it is. */
   private cover = 1;
   private floor = 0;
@@ -143,6 +144,11 @@ export class Ground {
     this.backdrop.hide();
   }
 
+  setShadows(shown: boolean): void {
+    this.shadows = shown;
+    this.catcher.visible &&= shown;
+  }
+
   setPalette(palette: Palette): void {
     const { background, rim, surface, fine, strong } = this.uniforms;
     this.backdrop.setPalette(palette);
@@ -173,7 +179,7 @@ export class Ground {
     this.uniforms.contact.value = this.strength;
     this.shown = true;
     this.catcher.position.set(position[0], position[1], this.floor);
-    this.catcher.visible = position[2] >= this.floor - 0.23 * this.size;
+    this.catcher.visible = this.shadows && position[2] >= this.floor - 0.23 * this.size;
   }
 
   /** What fell through (free bodies know no ground) is seen through it. @param lowest height of what reaches deepest (m) */

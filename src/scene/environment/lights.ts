@@ -43,6 +43,10 @@ export class Lights {
     this.scene.environmentIntensity = palette.light.environment;
   }
 
+  setShadows(shown: boolean): void {
+    this.key.castShadow = shown;
+  }
+
   /** Largest extent of what is lit (m); the board's is 0.88. */
   setSize(size: number): void {
     this.size = size;

@@ -117,7 +117,7 @@ export class RemoteWorker<T extends Calls<T>> {
 
   /** Of this call alone: other pages of the same origin hear every name. */
   private channel(): BroadcastChannel {
-    const channel = new BroadcastChannel(`ripstik.call.${Math.random().toString(36).slice(2)}`);
+    const channel = new BroadcastChannel(`ripstik.call.${crypto.getRandomValues(new Uint32Array(4)).join('.')}`);
     channel.onmessage = ({ data }: MessageEvent<FromWorker>) => this.receive(data);
     channel.onmessageerror = () => this.lose('a message could not be read');
     return channel;

@@ -52,6 +52,16 @@ export default tseslint.config(
     rules: { 'no-undef': 'error' },
   },
   {
+    files: ['python/ripstik_lab/*.js'],
+    languageOptions: {
+      globals: Object.fromEntries(
+        ['addEventListener', 'removeEventListener', 'document', 'Blob', 'Response', 'DecompressionStream'].map(
+          (name) => [name, 'readonly'],
+        ),
+      ),
+    },
+  },
+  {
     files: ['src/cli/**', 'scripts/**', 'tests/**', 'tools/**', 'src/**/*.{test,spec}.ts'],
     rules: { 'no-console': 'off' },
   },

@@ -2,7 +2,7 @@
 import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pip, venv } from './python.mjs';
-import { Plain, cache, main, readJson, root } from './setup.mjs';
+import { Plain, cache, main, readJson, root, run } from './setup.mjs';
 
 /** What lies beside the sources while the wheel is built: from where, and where to. */
 const BESIDE = [
@@ -28,6 +28,9 @@ main(async () => {
     filter: (path) => !/__pycache__|[\\/]core$/.test(path),
   });
   for (const [from, to] of BESIDE) cpSync(join(root, from), join(stage, to), { recursive: true });
+  const page = [join(root, 'scripts/stage-page.mjs'), join(stage, 'ripstik_lab/stage.html.gz')];
+  const { code, output } = await run(process.execPath, ['--import', 'tsx', ...page]);
+  if (code !== 0) throw new Plain(`The stage for notebooks is not built:\n${output.trim()}`);
   writeFileSync(join(stage, 'VERSION'), `${version}\n`);
   // By this Node takes the core's files as modules.
   writeFileSync(join(stage, 'ripstik_lab/core/package.json'), `${JSON.stringify({ type })}\n`);

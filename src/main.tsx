@@ -53,8 +53,10 @@ const place = document.getElementById('app')!;
 if (embedding) {
   void Promise.all([import('./app/embed/start.ts'), import('./ui/shell/embeddedShell.tsx')]).then(
     ([{ startEmbedded, wholePage }, { EmbeddedShell }]) => {
-      render(<EmbeddedShell {...shown} origin={app.state.origin} address={() => wholePage(app)} />, place);
-      startEmbedded(app, embedding, window);
+      const { shown: plotted } = startEmbedded(app, embedding, window);
+      const plots = { shown: plotted, Body: features.find(({ id }) => id === 'plots')?.tool?.Body };
+      const { origin } = app.state;
+      render(<EmbeddedShell {...shown} origin={origin} plots={plots} address={() => wholePage(app)} />, place);
       void startup.begin();
     },
   );

@@ -11,7 +11,8 @@ from .errors import RipstikError
 from .linearization import Linearization, linearize
 from .scenario import Scenario
 from .simulation import Run, simulate
+from .stage import Stage
 from .studies import Results, sweep
 from .table import Table
 
-__all__ = ["Linearization", "Results", "RipstikError", "Run", "Scenario", "Table", "linearize", "simulate", "sweep"]
+__all__ = ["Linearization", "Results", "RipstikError", "Run", "Scenario", "Stage", "Table", "linearize", "simulate", "sweep"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from . import command
@@ -16,6 +16,8 @@ class Run(Table):
     #: Why the run ended before its duration, in a sentence; None where it did not.
     stopped: Optional[str]
     warnings: list[str]
+    #: The command line's CSV, with its scenario behind the table.
+    csv: str = field(repr=False)
 
 
 def simulate(scenario: Any) -> Run:
@@ -30,4 +32,4 @@ def simulate(scenario: Any) -> Run:
     if done.returncode == command.STOPPED:
         stopped = (command.sentence(done.stderr) or "").replace("stopped early: ", "", 1)
     warnings = [value for key, value in sheet.comments if key == "warning"]
-    return Run(columns_of(sheet), sheet.comment("engine"), stopped, warnings)
+    return Run(columns_of(sheet), sheet.comment("engine"), stopped, warnings, done.stdout)

@@ -3,7 +3,7 @@ export const text = {
   name: 'RipStik Lab',
   /** Of a scenario that no case began. */
   ownScenario: 'Own scenario',
-  embedded: { whole: 'Open in RipStik Lab' },
+  embedded: { whole: 'Open in RipStik Lab', plots: 'Plots' },
   top: {
     theme: (now: string) => `Use the ${now === 'dark' ? 'light' : 'dark'} theme`,
     help: 'Help',

@@ -49,6 +49,8 @@ ask = (message) => document.getElementById('lab').contentWindow.postMessage({ ri
   expect(await answer({ id: 7, type: 'pause' })).toMatchObject({ playing: false });
   await answer({ id: 4, type: 'seek', time: 1.5 });
   expect(await answer({ id: 5, type: 'state' })).toMatchObject({ type: 'state', time: 1.5, end: 3 });
+  await answer({ id: 8, type: 'plots', panes: [{ y: ['theta'] }] });
+  await expect(lab.getByTestId('plot-pane')).toHaveCount(1);
   expect((await answer({ id: 6, type: 'set', path: 'initial.tehta', value: 1 })).message).toContain('tehta');
   expect(new Set((await said()).map(({ origin }) => origin))).toEqual(new Set([home]));
   server.close();

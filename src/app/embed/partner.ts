@@ -12,6 +12,7 @@ import { withValue } from '../../core/scenario/sweepAxes.ts';
 import { systemMetas } from '../../core/systems/registry.ts';
 import type { App } from '../app.ts';
 import { scenarioIn } from '../files/scenarioText.ts';
+import type { EmbeddedPlots } from './plots.ts';
 
 /** Of the words, not of the program: a word is added without a new number, none is changed or taken away. */
 export const PROTOCOL = 1;
@@ -28,11 +29,13 @@ export interface Surroundings {
 
 const text = {
   unknown: (type: unknown) =>
-    `type ${JSON.stringify(type)} is not known; right would be load, set, run, cancel, play, pause, seek or state`,
+    `type ${JSON.stringify(type)} is not known; right would be load, set, run, cancel, play, pause, seek, plots or state`,
   nothing: 'load needs a case, a scenario or a csv',
   noCase: (id: unknown, ids: string) => `there is no case ${JSON.stringify(id)}; right would be one of ${ids}`,
   path: 'set needs a path such as "initial.alpha" and a value: a number in SI units, or an expression as text',
   time: 'seek needs a time, a number of seconds',
+  open: (question: string) => `the table leaves something open: ${question} Say it in the file`,
+  unread: 'the table was not read to its end',
   stale: 'the scenario in the panel has a mistake; set or load another',
 };
 
@@ -40,20 +43,27 @@ const text = {
  * Answers the page around this one, from now on.
  *
  * @param app whose stage it is
- * @param partner origin that may speak
+ * @param plots beside it
+ * @param partner origin that may speak; `*` where the page around wrote this one itself
  * @param version of the program
  * @param around the window
  */
-export function speakWith(app: App, partner: string, version: string, around: Surroundings): void {
+export function speakWith(
+  app: App,
+  plots: EmbeddedPlots,
+  partner: string,
+  version: string,
+  around: Surroundings,
+): void {
   const say = (message: object): void => around.parent.postMessage({ ripstik: PROTOCOL, ...message }, partner);
   const tellEnd = (): void => {
     const run = app.state.run.peek();
     if (run?.kind === 'ended') say({ type: 'ended', reason: run.reason, message: run.message, time: run.time });
   };
   around.addEventListener('message', ({ source, origin, data }) => {
-    if (source !== around.parent || origin !== partner || !isAsked(data)) return;
+    if (source !== around.parent || (partner !== '*' && origin !== partner) || !isAsked(data)) return;
     const { id } = data;
-    void answer(app, data).then(
+    void answer(app, plots, data).then(
       () => {
         say({ type: 'state', id, ...stateOf(app) });
         // What followed the last change by itself may be this run already: its end was told before it was asked for.
@@ -72,7 +82,7 @@ export function speakWith(app: App, partner: string, version: string, around: Su
 const isAsked = (data: unknown): data is Asked =>
   typeof data === 'object' && data !== null && (data as Asked).ripstik === PROTOCOL;
 
-async function answer(app: App, asked: Asked): Promise<void> {
+async function answer(app: App, plots: EmbeddedPlots, asked: Asked): Promise<void> {
   const { actions, state } = app;
   switch (asked.type) {
     case 'load':
@@ -91,6 +101,8 @@ async function answer(app: App, asked: Asked): Promise<void> {
     case 'seek':
       if (typeof asked['time'] !== 'number' || !Number.isFinite(asked['time'])) throw new Error(text.time);
       return actions.seek(asked['time']);
+    case 'plots':
+      return plots.ask(asked['panes']);
     case 'state':
       return;
     default:
@@ -107,11 +119,27 @@ async function load(app: App, asked: Asked): Promise<void> {
     return app.actions.loadCase(id);
   }
   if (typeof csv === 'string') {
-    await app.actions.openFile(typeof title === 'string' ? name : 'motion.csv', new Blob([csv]));
-    return;
+    return loadTable(app, typeof title === 'string' ? name : 'motion.csv', csv);
   }
   if (typeof scenario !== 'object' || scenario === null) throw new Error(text.nothing);
   app.actions.loadScenario(await scenarioIn(JSON.stringify(scenario), systemMetas), name);
+}
+
+/** What the page tells of a table that it can't use is the answer; no one here can be asked what it leaves open. */
+async function loadTable({ state, actions }: App, name: string, csv: string): Promise<void> {
+  const [shown, told] = [state.motion.peek(), state.messages.peek().at(-1)?.id];
+  await actions.openFile(name, new Blob([csv]));
+  const pending = state.pendingFile.peek();
+  if (pending) actions.answerPending(null);
+  if (state.motion.peek() !== shown) return;
+  const last = state.messages.peek().at(-1);
+  throw new Error(
+    pending
+      ? text.open(pending.question.text)
+      : last && last.id !== told
+        ? last.details.slice(0, -1).join('; ')
+        : text.unread,
+  );
 }
 
 /** One number or expression; what the scenario refuses leaves it as it was. */

@@ -3,6 +3,7 @@ import type { App } from '../app.ts';
 import { linkOf } from '../persistence/links.ts';
 import type { Embedding } from './options.ts';
 import { speakWith, type Surroundings } from './partner.ts';
+import { embeddedPlots, type EmbeddedPlots } from './plots.ts';
 
 declare const __RIPSTIK_VERSION__: string;
 
@@ -26,8 +27,13 @@ export function wholePage(app: App): string {
  * @param app whose stage it is
  * @param embedding what the address asks for
  * @param around the window
+ * @returns the plots that it may ask for
  */
-export function startEmbedded(app: App, { partner, wrong }: Embedding, around: Surroundings): void {
+export function startEmbedded(app: App, { partner, wrong }: Embedding, around: Surroundings): EmbeddedPlots {
+  const plots = embeddedPlots(app);
   if (wrong !== null) app.actions.report('error', 'This frame answers no messages', [wrong]);
-  if (partner !== null && around.parent !== (around as unknown)) speakWith(app, partner, __RIPSTIK_VERSION__, around);
+  if (partner !== null && around.parent !== (around as unknown)) {
+    speakWith(app, plots, partner, __RIPSTIK_VERSION__, around);
+  }
+  return plots;
 }

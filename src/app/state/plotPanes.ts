@@ -21,7 +21,7 @@ export interface PlotsState {
   wrapped: boolean;
 }
 
-const MOST_PANES = 24;
+export const MOST_PANES = 24;
 const MOST_COLUMNS = 100;
 
 /** Null for anything that is not plots. */
@@ -35,7 +35,8 @@ export function plotsFrom(value: unknown): PlotsState | null {
   return panes.every((pane) => pane !== null) ? { own: { key: own['key'], panes }, degrees, wrapped } : null;
 }
 
-function paneFrom(value: unknown): PlotPane | null {
+/** Null for anything that is no plot. */
+export function paneFrom(value: unknown): PlotPane | null {
   if (!isRecord(value)) return null;
   const { title, x, y, hidden, equal, to, exact } = value;
   if (typeof title !== 'string' || title.length > 200 || !isName(x) || !areNames(y)) return null;

@@ -1,5 +1,6 @@
 /** Which plots stand there: the person's own, those of the case, or what suits the motion. */
 import type { Motion } from '../../app/runs/motion.ts';
+import { plotsKey } from '../../app/state/namedPlots.ts';
 import type { PlotPane, PlotsState } from '../../app/state/plotPanes.ts';
 import { columnsOf, groundCoordinates } from '../../core/motion/columns.ts';
 import { DATA } from '../../core/motion/dataView.ts';
@@ -10,12 +11,8 @@ import { text } from './words.ts';
 const MOST_CURVES = 4;
 const MOST_DATA_PANES = 4;
 
-/** What the plots belong to: another case or system brings its own. */
-export const keyOf = (motion: Motion, caseId: string): string =>
-  `${motion.system.meta.id}/${motion.source === 'run' ? caseId : motion.system.meta.id === DATA ? motion.title : ''}`;
-
 export function panesOf(motion: Motion, caseId: string, { own }: PlotsState): readonly PlotPane[] {
-  return own?.key === keyOf(motion, caseId) ? own.panes : suggested(motion, caseId);
+  return own?.key === plotsKey(motion, caseId) ? own.panes : suggested(motion, caseId);
 }
 
 /** Plots of the case, on its figure's axes, and of the effort where something drives the motion; else what suits. */

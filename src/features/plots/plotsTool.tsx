@@ -2,6 +2,7 @@
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useMemo } from 'preact/hooks';
 import type { Motion } from '../../app/runs/motion.ts';
+import { plotsKey } from '../../app/state/namedPlots.ts';
 import type { PlotPane } from '../../app/state/plotPanes.ts';
 import { text } from './words.ts';
 import { useUi } from '../../ui/context.ts';
@@ -10,7 +11,7 @@ import { useDeferred, useLagging } from '../../ui/kit/deferred.ts';
 import { columnsOf, type Column } from '../../core/motion/columns.ts';
 import { valuesOf } from '../../core/motion/columnValues.ts';
 import { PaneView } from './paneView.tsx';
-import { keyOf, panesOf, presetsOf, suggested } from './panes.ts';
+import { panesOf, presetsOf, suggested } from './panes.ts';
 import './plots.css';
 
 export function PlotsTool() {
@@ -31,9 +32,9 @@ function Plots({ motion }: { motion: Motion }) {
   const listed = JSON.stringify(columnsOf(motion.system, motion.trajectory.columns, motion.constraints !== null));
   const columns = useMemo(() => JSON.parse(listed) as Column[], [listed]);
   const choices = useLagging(columns);
-  const own = plots.own?.key === keyOf(motion, caseId);
+  const own = plots.own?.key === plotsKey(motion, caseId);
   const change = (next: readonly PlotPane[]) => {
-    actions.set('plots', { ...plots, own: { key: keyOf(motion, caseId), panes: next } });
+    actions.set('plots', { ...plots, own: { key: plotsKey(motion, caseId), panes: next } });
   };
   const edit = (i: number, pane: PlotPane | null) =>
     change(pane ? panes.map((p, k) => (k === i ? pane : p)) : panes.filter((_, k) => k !== i));

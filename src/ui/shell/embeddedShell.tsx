@@ -1,4 +1,6 @@
 /** The stage with its transport alone, for a frame in another page: as large as the frame, and the way to all the rest. */
+import type { ReadonlySignal } from '@preact/signals';
+import type { ComponentType } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { createUi, UiContext } from '../context.ts';
 import { StageOverlay } from '../stage/stageOverlay.tsx';
@@ -11,8 +13,10 @@ import { Canvas, useTheme, type ShellProps } from './shell.tsx';
 import './embedded.css';
 
 export interface EmbeddedShellProps extends Omit<ShellProps, 'features' | 'onForget'> {
-  /** Of the whole page, with what is shown here. */
-  address(): string;
+  /** Of the whole page, with what is shown here; absent where there is none. */
+  address?: () => string;
+  /** Beside the stage, while `shown`. */
+  plots: { shown: ReadonlySignal<boolean>; Body: ComponentType | undefined };
 }
 
 export function EmbeddedShell({
@@ -24,26 +28,34 @@ export function EmbeddedShell({
   sceneError,
   origin,
   address,
+  plots: { shown, Body },
 }: EmbeddedShellProps) {
   const ui = useMemo(() => createUi(app, methods, formulations, [], commandsOf([]), origin), [app]);
   useTheme(app);
   return (
     <UiContext.Provider value={ui}>
-      <div class="shell embedded">
+      <div class={`shell embedded ${shown.value ? 'with-plots' : ''}`}>
         <main key="stage" id="stage" class="stage" tabIndex={-1} aria-label={text.view.scene}>
           <Canvas onCanvas={onCanvas} sceneText={sceneText} />
           <StageOverlay sceneError={sceneError} />
-          <a
-            class="whole-page"
-            href={location.pathname}
-            target="_blank"
-            rel="noopener"
-            data-testid="whole-page"
-            onClick={(event) => (event.currentTarget.href = address())}
-          >
-            {text.embedded.whole}
-          </a>
+          {address && (
+            <a
+              class="whole-page"
+              href={location.pathname}
+              target="_blank"
+              rel="noopener"
+              data-testid="whole-page"
+              onClick={(event) => (event.currentTarget.href = address())}
+            >
+              {text.embedded.whole}
+            </a>
+          )}
         </main>
+        {shown.value && Body ? (
+          <section class="embedded-plots" aria-label={text.embedded.plots}>
+            <Body />
+          </section>
+        ) : null}
         <Transport />
       </div>
       <Messages />

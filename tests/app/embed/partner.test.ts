@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { embeddingOf } from '../../../src/app/embed/options.ts';
 import { speakWith } from '../../../src/app/embed/partner.ts';
+import { embeddedPlots } from '../../../src/app/embed/plots.ts';
 import { endWorkers, workingApp } from '../workingApp.ts';
 
 afterEach(endWorkers);
@@ -36,8 +37,9 @@ describe('who may speak is named in the address', () => {
 
 type Said = { type: string; id?: unknown; message?: string } & Record<string, unknown>;
 
-function embedded() {
+function embedded(partner = LMS) {
   const app = workingApp();
+  const plots = embeddedPlots(app);
   const said: Said[] = [];
   const origins = new Set<string>();
   let hear: (event: MessageEvent<unknown>) => void = () => {};
@@ -47,7 +49,10 @@ function embedded() {
       origins.add(String(origin));
     },
   };
-  speakWith(app, LMS, '1.2.3', { parent: parent as never, addEventListener: (_, listener) => (hear = listener) });
+  speakWith(app, plots, partner, '1.2.3', {
+    parent: parent as never,
+    addEventListener: (_, listener) => (hear = listener),
+  });
   let ids = 0;
   const event = (data: unknown, origin: string, source: unknown): MessageEvent<unknown> =>
     ({ data, origin, source }) as MessageEvent<unknown>;
@@ -61,6 +66,7 @@ function embedded() {
     vi.waitFor(() => expect(said.filter(({ type }) => type === 'ended').length).toBeGreaterThanOrEqual(count), 30_000);
   return {
     app,
+    plots,
     said,
     origins,
     ask,
@@ -101,7 +107,10 @@ test('what cannot be done is answered with what would be right, and changes noth
   const { app, ask } = embedded();
   const before = app.state.draft.peek();
   for (const [data, right] of [
-    [{ type: 'jump' }, 'load, set, run, cancel, play, pause, seek or state'],
+    [{ type: 'jump' }, 'load, set, run, cancel, play, pause, seek, plots or state'],
+    [{ type: 'plots', panes: ['alpha'] }, '[{"y": ["alpha", "beta"]}]'],
+    [{ type: 'load', csv: '' }, 'there are no rows of numbers'],
+    [{ type: 'load', csv: 'theta\n0.1\n0.2\n' }, 'leaves something open'],
     [{ type: 'load' }, 'a case, a scenario or a csv'],
     [{ type: 'load', case: 'nowhere' }, 'ridden'],
     [{ type: 'load', scenario: { version: 1, system: 'sledge' } }, 'sledge'],
@@ -126,4 +135,37 @@ test('another origin, another window and other words are not heard', async () =>
     from(data, LMS);
   await new Promise((resolve) => setTimeout(resolve, 50));
   expect(said.length).toBe(1);
+});
+
+test('plots that are asked for stand beside every motion that follows', async () => {
+  const { app, plots, ask, ended } = embedded();
+  const scenario = { version: 1, system: 'cart-pendulum', initial: { theta: 0.2 }, duration: 0.1 };
+  expect(await ask({ type: 'load', scenario })).toMatchObject({ type: 'state' });
+  await ended(1);
+  expect(plots.shown.value).toBe(false);
+  const panes = [{ y: ['theta', 'X'] }, { x: 'theta', y: ['theta_dot'], title: 'Phase' }];
+  expect(await ask({ type: 'plots', panes })).toMatchObject({ type: 'state' });
+  const drawn = [
+    { title: 'theta, X', x: 't', y: ['theta', 'X'] },
+    { title: 'Phase', x: 'theta', y: ['theta_dot'] },
+  ];
+  expect(app.state.plots.value.own?.panes).toEqual(drawn);
+  expect(await ask({ type: 'load', case: 'released' })).toMatchObject({ type: 'state' });
+  await vi.waitFor(() => expect(app.state.plots.value.own).toEqual({ key: 'ripstik/released', panes: drawn }), 20_000);
+  expect((await ask({ type: 'plots', panes: [{ y: ['lambda_9'] }] })).message).toMatch(
+    /no column "lambda_9"; there are t, X/,
+  );
+  expect(plots.shown.value).toBe(true);
+  await ask({ type: 'plots', panes: [] });
+  expect(plots.shown.value).toBe(false);
+  await ask({ type: 'plots' });
+  expect([plots.shown.value, app.state.plots.value.own]).toEqual([true, null]);
+}, 60_000);
+
+test('the page that wrote this one is heard whatever its origin, and no other window', async () => {
+  const { said, origins, from } = embedded('*');
+  from({ ripstik: 1, id: 1, type: 'state' }, 'null', {});
+  from({ ripstik: 1, id: 2, type: 'state' }, 'null');
+  await vi.waitFor(() => expect(said.map(({ id }) => id)).toEqual([undefined, 2]));
+  expect([...origins]).toEqual(['*']);
 });

@@ -173,7 +173,7 @@ export class Builder implements Scope {
     const angle = unit === 'rad' || unit === 'deg';
     if (!angle && unit !== 'm' && unit !== '1' && unit !== '')
       throw new DescriptionError(
-        `a coordinate's unit is m, rad, deg or 1, not ${unit}`,
+        `a coordinate's unit is m, rad, deg, or 1 for anything else, not ${unit}`,
         line,
         token.at + 1,
         token.text.length,

@@ -7,7 +7,7 @@
  * H. Goldstein, C. Poole, J. Safko, Classical Mechanics, 3rd ed., sections 1.5 (Rayleigh's function) and 2.4 (constraints that
  * are linear in the rates).
  */
-import type { Graph, Id } from './graph.ts';
+import { OPS, type Graph, type Id } from './graph.ts';
 import type { Model, Row } from './model.ts';
 
 export interface Equations {
@@ -62,6 +62,60 @@ export function equationsOf(model: Model, step: (done: number, of: number) => vo
     }));
   step(total, total);
   return { M, h, sets };
+}
+
+/**
+ * Kinetic and potential energy, whose sum nothing but outside forces changes. Of a kinetic energy that is quadratic in the rates
+ * these are T and V. Written in axes that turn or move, T has parts T1 linear in the rates and T0 without: the sum that stays is
+ * then Jacobi's integral v dT/dv - T + V, and T0 counts as potential (Goldstein, section 2.7).
+ *
+ * @param model what was read of a description
+ */
+export function energiesOf({ graph, v, kinetic, potential }: Model): [kinetic: Id, potential: Id] {
+  if (kinetic === graph.zero || degreeOf(graph, kinetic, new Set(v)) === 2) return [kinetic, potential];
+  graph.work = 'the energy';
+  const [T0] = graph.replace([kinetic], new Map(v.map((id) => [id, graph.zero]))) as [Id];
+  const momenta = graph.gradient(kinetic, v);
+  const rest = graph.sub(kinetic, T0);
+  const moving = graph.sum(momenta.map((p, i) => graph.mul(v[i]!, p)));
+  return [graph.sub(moving, rest), graph.sub(potential, T0)];
+}
+
+/** The degree of an expression that is homogeneous in some variables, as far as its operations tell; null for any other. */
+function degreeOf(graph: Graph, root: Id, variables: ReadonlySet<Id>): number | null {
+  const degrees = new Map<Id, number | null>();
+  const of = (i: Id): number | null => degrees.get(i)!;
+  for (const i of graph.reach([root])) {
+    const [a, b] = [graph.a[i]!, graph.b[i]!];
+    const all = [a, b, graph.c[i]!].filter((x) => x >= 0 && x !== graph.zero);
+    const same = all.every((x) => of(x) === of(all[0]!)) ? (all.length > 0 ? of(all[0]!) : 0) : null;
+    const without = all.every((x) => of(x) === 0) ? 0 : null;
+    const [da, db] = [all.includes(a) ? of(a) : 0, all.includes(b) ? of(b) : 0];
+    let degree = without;
+    switch (OPS[graph.op[i]!]!) {
+      case 'input':
+        degree = variables.has(i) ? 1 : 0;
+        break;
+      case 'add':
+      case 'sub':
+      case 'neg':
+        degree = same;
+        break;
+      case 'mul':
+        degree = da === null || db === null ? null : da + db;
+        break;
+      case 'div':
+        degree = da === null || db === null ? null : da - db;
+        break;
+      case 'sqrt':
+        degree = da === null ? null : da / 2;
+        break;
+      case 'pow':
+        if (da !== null && graph.isNumber(b)) degree = da * graph.value[b]!;
+    }
+    degrees.set(i, degree);
+  }
+  return of(root);
 }
 
 /**

@@ -64,17 +64,17 @@ export class Reader {
   readonly tokens: readonly LineToken[];
   readonly line: number;
   private readonly scope: Scope;
-  private readonly length: number;
+  private readonly text: string;
   private depth = 0;
   private parts = 0;
   private stops: ReadonlySet<string> = new Set();
   at = 0;
 
-  /** @param length of the line, where what is missing is told */
-  constructor(tokens: readonly LineToken[], line: number, length: number, scope: Scope) {
+  /** @param text of the line, at whose end what is missing is told */
+  constructor(tokens: readonly LineToken[], line: number, text: string, scope: Scope) {
     this.tokens = tokens;
     this.line = line;
-    this.length = length;
+    this.text = text;
     this.scope = scope;
   }
 
@@ -84,7 +84,7 @@ export class Reader {
 
   fail(reason: string, token: LineToken | undefined = this.next): never {
     if (token) throw new DescriptionError(reason, this.line, token.at + 1, Math.max(1, token.end - token.at));
-    throw new DescriptionError(reason, this.line, this.length + 1);
+    throw new DescriptionError(reason, this.line, this.text.length + 1);
   }
 
   /** Whether the next token is this word or sign; it is taken. */
@@ -141,17 +141,11 @@ export class Reader {
   }
 
   private refuseTwoMeanings(from: number): void {
-    const tokens = this.tokens.slice(from, this.at);
-    const written = (a: number, b: number): string =>
-      tokens
-        .filter((token) => token.at >= a && token.end <= b)
-        .map((token) => token.text)
-        .join(' ');
     try {
       refuseAmbiguous(
-        tokens,
+        this.tokens.slice(from, this.at),
         (name) => this.calls(name),
-        written,
+        (a, b) => this.text.slice(a, b),
         (at) => at,
       );
     } catch (error) {
@@ -352,7 +346,8 @@ export class Reader {
     }
     const constant = constants.get(token.text);
     if (constant !== undefined) return { kind: 'scalar', id: graph.number(constant) };
-    const [owner, part] = token.text.split('.');
+    const [owner, part, component] = token.text.split('.');
+    if (component !== undefined) return this.ofAxis(this.componentOf(owner!, part!, token), component, token);
     if (part !== undefined) return this.componentOf(owner!, part, token);
     if (isFunctionName(token.text)) return this.fail(`"${token.text}" is a function; write ${token.text}(…)`, token);
     return this.unknown(token);
@@ -372,6 +367,14 @@ export class Reader {
     if (value.kind === 'vector') return { kind: 'scalar', id: value.ids[k]! };
     const { R } = value.frame;
     return { kind: 'vector', ids: [R[k]!, R[3 + k]!, R[6 + k]!] };
+  }
+
+  /** `rod.x.z`: a component of a frame's axis in the world. */
+  private ofAxis(value: Value, component: string, token: LineToken): Value {
+    const k = ['x', 'y', 'z'].indexOf(component);
+    if (value.kind !== 'vector' || k < 0)
+      return this.fail('two points stand behind a frame alone: rod.x.z is the height of its first axis', token);
+    return { kind: 'scalar', id: value.ids[k]! };
   }
 
   private unknown(token: LineToken): never {

@@ -2,7 +2,7 @@
 import type { ConstraintSet, ConstraintSetMeta, ContactMeta, System, SystemMeta, SystemView } from '../model/system.ts';
 import { checkEquations, solvedFor } from './checks.ts';
 import { timeFormulas } from './timeFormulas.ts';
-import { equationsOf, jacobianOf, type Equations } from './derive.ts';
+import { energiesOf, equationsOf, jacobianOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
 import { meshOf } from './drawing.ts';
 import { MOST_NODES, type Id } from './graph.ts';
@@ -115,7 +115,7 @@ export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions
       { of, by: 'v' },
     ];
   });
-  const energy = lazy(model, () => [at, { out: [model.kinetic, model.potential] }]);
+  const energy = lazy(model, () => [at, { out: energiesOf(model) }]);
   const poseJacobian = slopes(model, { q, p }, () => [{ of: posesOf(model), by: 'q' }]);
   return {
     ...view,

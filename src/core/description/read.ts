@@ -52,7 +52,7 @@ export function readDescription(text: string): Reading {
     builder.graph.work = `line ${k + 1}`;
     try {
       tokens = tokensOf(content, k + 1);
-      if (tokens.length > 0) readLine(new Reader(tokens, k + 1, content.length, builder), builder);
+      if (tokens.length > 0) readLine(new Reader(tokens, k + 1, content, builder), builder);
     } catch (error) {
       const follows = tokens.some(({ text: word }) => broken.has(word.split(/[.']/)[0]!.replace(/_dot$/, '')));
       if (!follows || !(error instanceof DescriptionError)) stop(error, k + 1);

@@ -376,7 +376,8 @@ export const statements: Readonly<Record<string, Statement>> = {
       const token = r.next;
       const name = token?.kind === 'name' ? token.text : '';
       const body = b.model.bodies.findIndex(({ id }) => id === name);
-      if (body >= 0) {
+      const whole = [undefined, 'text'].includes(r.tokens[r.at + 1]?.kind);
+      if (body >= 0 && whole) {
         r.at++;
         b.model.tracks.push({ body, label: label(r) ?? b.model.bodies[body]!.label });
         return;

@@ -29,7 +29,7 @@ export interface LineToken extends Token {
   kind: TokenKind;
 }
 
-const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)?['’′]?/y;
+const WORD = /[A-Za-z_]\w*(?:\.[A-Za-z_]\w*){0,2}['’′]?/y;
 const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
 const SIGN = /\*\*|<=|>=|==|!=|[-+*/^<>?:(),=]/y;
 

@@ -1,7 +1,7 @@
 import type { Reader } from './expression.ts';
 import type { LineToken } from './tokens.ts';
 
-const UNIT = /^[A-Za-z0-9µ·.*/^²³⁻°%() -]{0,24}$/;
+const UNIT = /^[A-Za-z0-9µμΩΩ·.*/^⁻¹²³⁴°%() -]{0,24}$/;
 
 export const isAngleUnit = (unit: string | undefined): boolean => unit === 'deg' || unit === 'rad';
 

@@ -34,6 +34,8 @@ export class Builder implements Scope {
   private clock: { q: Id; v: Id } | null = null;
   private readonly rows: { row: Row; sets: readonly string[] }[] = [];
   private readonly driven = new Map<number, Row>();
+  /** Lines that define a name, the first of each. */
+  private readonly later = new Map<string, number>();
 
   constructor() {
     const { graph } = this;
@@ -87,6 +89,19 @@ export class Builder implements Scope {
     yield 't';
   }
 
+  definedOn(name: string): number {
+    return this.later.get(name) ?? 0;
+  }
+
+  /** Looks over all lines for what they define, for those who use a name above its line. */
+  foresee(lines: readonly string[]): void {
+    for (const [k, line] of lines.entries()) {
+      const found = /^\s*(?:(?:coordinate|parameter|frame|point)\s+([A-Za-z_][\w\s,]*)|([A-Za-z_]\w*)\s*=)/.exec(line);
+      for (const name of (found?.[1] ?? found?.[2] ?? '').split(',').map((part) => part.trim()))
+        if (name && !this.later.has(name)) this.later.set(name, k + 1);
+    }
+  }
+
   frameOf(name: string): Frame | undefined {
     const value = this.values.get(name);
     return value?.kind === 'frame' ? value.frame : undefined;
@@ -133,6 +148,13 @@ export class Builder implements Scope {
     return id;
   }
 
+  /** The same expression, which has to have a rate in it. @param otherwise what would be right */
+  ofMotion(r: Reader, id: Id, otherwise: string): Id {
+    if (!this.graph.depends(id, this.vIds))
+      r.fail(`this has no rate in it: the rate of x is written x'; ${otherwise}`, r.tokens[1]);
+    return id;
+  }
+
   /** The same expression, of t and parameters alone. */
   ofTime(r: Reader, id: Id, from: LineToken | undefined): Id {
     if (this.graph.depends(id, new Set([...this.model.q, ...this.vIds])))
@@ -142,6 +164,13 @@ export class Builder implements Scope {
 
   constant(r: Reader, ...stops: string[]): number {
     const from = r.next;
+    const { kind, text } = r.tokens[r.at + 1] ?? {};
+    const words = new Set([...stops, 'deg', 'rad', 'pi', 'tau', 'e']);
+    if (from?.kind === 'number' && kind === 'name' && !words.has(text!))
+      r.fail(
+        'a number is needed here, without names; a unit stands behind the name: parameter k [N/m] = 5',
+        r.tokens[r.at + 1],
+      );
     const id = r.scalar(...stops);
     const x = this.graph.value[id]!;
     if (!this.graph.isNumber(id)) r.fail('a number is needed here, without names', from);
@@ -377,6 +406,7 @@ export class Builder implements Scope {
     if (model.coordinates.length === 0)
       throw new DescriptionError('there is no coordinate: write a line such as coordinate x [m]', 0);
     this.addEnergies();
+    this.refuseIdleGravity();
     if (model.mechanical) {
       for (const [at, { value, line }] of model.rates) {
         const v = model.v[at]!;
@@ -408,6 +438,21 @@ export class Builder implements Scope {
     this.fillSets();
     this.addClock();
     return model;
+  }
+
+  /** Bodies weigh by `gravity`: a parameter `g` that nothing uses was meant to be it. */
+  private refuseIdleGravity(): void {
+    const { model, graph, rows } = this;
+    const at = model.parameters.findIndex(({ name }) => /^(g|grav|Gravity)$/.test(name));
+    if (at < 0 || this.values.has('gravity') || !model.bodies.some(({ mass }) => mass !== null)) return;
+    const used = new Set([model.p[at]!]);
+    const all = [model.kinetic, model.potential, model.loss, ...model.forces.filter((f) => f !== undefined)];
+    if ([...all, ...rows.map(({ row }) => row.velocity)].some((id) => graph.depends(id, used))) return;
+    const { name } = model.parameters[at]!;
+    throw new DescriptionError(
+      `nothing uses ${name}; bodies weigh by a parameter of the name gravity: parameter gravity [m/s²] = ${model.parameters[at]!.default}`,
+      model.names.get(name)!.line,
+    );
   }
 
   private addEnergies(): void {

@@ -8,6 +8,8 @@ import { Program } from './program.ts';
 import { DescriptionError } from './tokens.ts';
 
 const SAMPLES = 6;
+/** What is left of terms of about one that cancel. */
+const NOTHING = 1e-14;
 /** Numbers from chance that are the same on every machine (Park and Miller, Comm. ACM 31 (1988)). */
 function chance(seed: number): () => number {
   let x = seed;
@@ -105,15 +107,19 @@ function checkMass(model: Model, { M }: Equations): void {
   const program = new Program(graph, { q, v, p }, { M }).interpreted();
   const values = new Float64Array(n * n);
   let weightless = -1;
+  let negative = false;
   for (const state of samples(model)) {
     program(state.q, state.v, state.p, values);
     const bad = values.findIndex((x) => !Number.isFinite(x));
     weightless = bad >= 0 ? Math.floor(bad / n) : firstWithoutMass(values, n);
     if (weightless < 0) return;
+    negative = values[weightless * (n + 1)]! < 0;
   }
   const { name } = model.coordinates[weightless]!;
   throw new DescriptionError(
-    `the mass matrix is singular: nothing gives ${name} a mass or inertia of its own; give a body that it moves a mass and an inertia, or add to the kinetic energy`,
+    negative
+      ? `the kinetic energy of ${name} is negative; a mass, an inertia or the sign of a kinetic line is wrong`
+      : `the mass matrix is singular: nothing gives ${name} a mass or inertia of its own; give a body that it moves a mass and an inertia, or add to the kinetic energy, in which the rate of ${name} is ${name}'`,
     model.lines[weightless]!,
   );
 }
@@ -154,7 +160,7 @@ function checkRows(model: Model, { id, rows, omega }: Equations['sets'][number])
         sum += term;
         size += Math.abs(term);
       }
-      if (Math.abs(sum - slip[r]!) > 1e-9 * (size + Math.abs(slip[r]!)))
+      if (Math.abs(sum - slip[r]!) > Math.max(NOTHING, 1e-9 * (size + Math.abs(slip[r]!))))
         throw new DescriptionError(
           'this velocity is not linear in the rates; write it as a sum of rates with factors that have none',
           rows[r]!.line,
@@ -183,7 +189,7 @@ function firstDependent(O: Float64Array, m: number, n: number): number {
         for (let i = 0; i < n; i++) row[i]! -= along * e[i]!;
       }
     const left = Math.hypot(...row);
-    if (!(left > 1e-10 * size)) return r;
+    if (!(left > Math.max(NOTHING, 1e-10 * size))) return r;
     basis.push(row.map((x) => x / left));
   }
   return -1;

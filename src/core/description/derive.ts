@@ -112,6 +112,9 @@ function degreeOf(graph: Graph, root: Id, variables: ReadonlySet<Id>): number | 
         break;
       case 'pow':
         if (da !== null && graph.isNumber(b)) degree = da * graph.value[b]!;
+        break;
+      default:
+        break;
     }
     degrees.set(i, degree);
   }

@@ -3,6 +3,7 @@ import { constants, MOST_DEPTH } from '../scenario/expressions/plainText.ts';
 import { refuseAmbiguous } from '../scenario/expressions/reading.ts';
 import { ExpressionError } from '../scenario/expressions/expressionError.ts';
 import type { Graph, Id, OpName } from './graph.ts';
+import { asProduct, asRate, closest } from './hints.ts';
 import { DescriptionError, type LineToken } from './tokens.ts';
 
 /** Components along the axes of the world. */
@@ -24,6 +25,8 @@ export interface Scope {
   look(name: string): Value | undefined;
   /** All names, for those who misspell one. */
   names(): Iterable<string>;
+  /** The line that defines a name, wherever it stands; 0 where none does. */
+  definedOn(name: string): number;
   /** d/dt. @throws Error with what is wrong where the expression has rates in it */
   rate(ids: readonly Id[]): Id[];
 }
@@ -54,6 +57,14 @@ const SIGNS = new Map([
   ['*', 4],
   ['/', 4],
 ]);
+/** Functions that are signs here. */
+const CHOICES = new Map([
+  ['if', 'a choice is written condition ? a : b'],
+  ['where', 'a choice is written condition ? a : b'],
+  ['square', 'a square is written x^2'],
+  ['sqr', 'a square is written x^2'],
+]);
+const shorten = (text: string): string => (text.length > 40 ? `${text.slice(0, 39)}…` : text);
 /** Level of the comparisons. */
 const COMPARISON = 2;
 /** Parts of one expression. */
@@ -104,7 +115,12 @@ export class Reader {
   }
 
   end(example: string): void {
-    if (this.next) this.fail(`"${this.next.text}" has no place here: ${example}`);
+    const { next } = this;
+    if (!next) return;
+    if (next.kind === 'unit') this.fail('square brackets hold the unit of a name; formulas have round ones', next);
+    if (next.text === ',' && this.tokens[this.at - 1]?.kind === 'number')
+      this.fail('a "," has no place here; decimals are written with a point', next);
+    this.fail(`"${next.text}" has no place here: ${example}`);
   }
 
   /** A number. @param stops words that end it */
@@ -317,6 +333,7 @@ export class Reader {
     if (token.kind === 'text') return this.fail('a number is expected here, not a text', token);
     if (token.kind === 'unit')
       return this.fail('a unit stands behind the name that it belongs to: parameter m [kg] = 2', token);
+    if (token.text === '=') return this.fail('"=" has no place here; the value stands behind the word itself', token);
     return this.fail(`"${token.text}" has no place here; a number, a name or a bracket is expected`, token);
   }
 
@@ -357,6 +374,8 @@ export class Reader {
     const value = this.scope.look(owner);
     const k = ['x', 'y', 'z'].indexOf(part);
     if (value === undefined) return this.unknown({ ...token, text: owner });
+    const rate = value.kind === 'scalar' && asRate(`${owner}.${part}`, new Set(this.scope.names()));
+    if (rate) return this.fail(rate, token);
     if (k < 0 || value.kind === 'scalar')
       return this.fail(
         value.kind === 'scalar'
@@ -378,11 +397,22 @@ export class Reader {
   }
 
   private unknown(token: LineToken): never {
-    const near = closest(token.text, this.scope.names());
+    const name = token.text;
+    const unknown = `unknown name "${shorten(name)}"`;
+    const later = this.scope.definedOn(name);
+    if (later === this.line)
+      this.fail(`${unknown}: it is this line that defines it, from names of the lines above`, token);
+    if (later > this.line)
+      this.fail(`${unknown}: it is defined below, on line ${later}; that line has to stand above this one`, token);
+    const known = new Set(this.scope.names());
+    const rate = asRate(name, known);
+    if (rate) this.fail(`${unknown}; ${rate}`, token);
+    const near = closest(name, known);
+    const product = asProduct(name, known);
+    if (product && near?.toLowerCase() !== name.toLowerCase())
+      this.fail(`${unknown}; a product has a space or * between its factors: ${product}`, token);
     return this.fail(
-      near
-        ? `unknown name "${shorten(token.text)}"; did you mean ${near}?`
-        : `unknown name "${shorten(token.text)}": a name is defined on a line above`,
+      near ? `${unknown}; did you mean ${near}?` : `${unknown}: a name is defined on a line above`,
       token,
     );
   }
@@ -392,8 +422,10 @@ export class Reader {
     const name = token.text;
     const target = this.scope.look(name);
     if (target === undefined && !isFunctionName(name)) {
-      const near = closest(name, [...unary, ...several.keys(), ...VECTOR_FUNCTIONS.keys(), ...this.scope.names()]);
-      this.fail(`unknown function "${shorten(name)}"${near ? `; did you mean ${near}?` : ''}`, token);
+      const known = [...unary, ...several.keys(), ...VECTOR_FUNCTIONS.keys()];
+      const near = closest(name, [...known, ...this.scope.names()]);
+      const hint = asRate(name, new Set(this.scope.names())) ?? (near ? `did you mean ${near}?` : CHOICES.get(name));
+      this.fail(`unknown function "${shorten(name)}"${hint ? `; ${hint}` : ''}`, token);
     }
     this.at++;
     const args = this.list(open);
@@ -427,8 +459,11 @@ export class Reader {
     const { graph } = this.scope;
     const name = token.text;
     const wanted = name === 'dot' || name === 'cross' ? 2 : 1;
-    if (args.length !== wanted)
-      this.fail(`${VECTOR_FUNCTIONS.get(name)}; it takes ${wanted}, not ${args.length}`, token);
+    if (args.length !== wanted) {
+      const rate =
+        name === 'dot' && args[0]?.kind === 'scalar' ? "; the rate of x is written x', of an expression rate(…)" : '';
+      this.fail(`${VECTOR_FUNCTIONS.get(name)}; it takes ${wanted}, not ${args.length}${rate}`, token);
+    }
     const [a, b] = args;
     if (name === 'omega') {
       if (a!.kind !== 'frame') return this.fail(VECTOR_FUNCTIONS.get(name)!, token);
@@ -514,30 +549,4 @@ function ofTwo(graph: Graph, name: string, x: Id, y: Id): Id {
     default:
       return graph.select(graph.compare('lt', x, y), y, x);
   }
-}
-
-const shorten = (text: string): string => (text.length > 40 ? `${text.slice(0, 39)}…` : text);
-
-/** The known name that differs least, where that is little. */
-function closest(name: string, known: Iterable<string>): string | null {
-  let best: string | null = null;
-  let least = Math.max(1, Math.floor(name.length / 3)) + 1;
-  for (const other of known) {
-    const far = distance(name.toLowerCase(), other.toLowerCase(), least);
-    if (far < least) [best, least] = [other, far];
-  }
-  return best;
-}
-
-/** Letters to change, add or leave out, as far as `most`. */
-function distance(a: string, b: string, most: number): number {
-  if (Math.abs(a.length - b.length) >= most || a.length > 60) return most;
-  let row = Array.from({ length: b.length + 1 }, (_, k) => k);
-  for (let i = 1; i <= a.length; i++) {
-    const next = [i];
-    for (let k = 1; k <= b.length; k++)
-      next[k] = Math.min(row[k]! + 1, next[k - 1]! + 1, row[k - 1]! + Number(a[i - 1] !== b[k - 1]));
-    row = next;
-  }
-  return row[b.length]!;
 }

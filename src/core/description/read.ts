@@ -3,6 +3,7 @@ import { Builder } from './builder.ts';
 import { Reader } from './expression.ts';
 import { GrowthError } from './graph.ts';
 import type { Model } from './model.ts';
+import { noStatement } from './hints.ts';
 import { readDefinition, readRate, statements } from './statements.ts';
 import { DescriptionError, tokensOf, type LineToken } from './tokens.ts';
 
@@ -45,6 +46,7 @@ export function readDescription(text: string): Reading {
     );
     return { model: null, faults, names };
   }
+  builder.foresee(lines);
   /** Names that a line with a fault was to define: what misses them has no fault of its own. */
   const broken = new Set<string>();
   for (const [k, content] of lines.entries()) {
@@ -71,12 +73,15 @@ export function readDescription(text: string): Reading {
 
 function readLine(r: Reader, builder: Builder): void {
   const [first, second] = r.tokens;
+  if (first!.text === '/') r.fail('a comment begins with #', first);
   if (first!.kind !== 'name')
     r.fail(
       `a line begins with a word, such as ${Object.keys(statements).slice(0, 5).join(', ')}, or with a name that it defines`,
     );
   const defines = second?.text === '=' && second.kind === 'sign';
   if (defines && /('|_dot)$/.test(first!.text)) readRate(r, builder);
+  else if (defines && Object.hasOwn(statements, first!.text))
+    r.fail(`"${first!.text}" begins a statement and has no "=" behind it: ${statements[first!.text]!.example}`, second);
   else if (defines) readDefinition(r, builder);
   else if (Object.hasOwn(statements, first!.text)) {
     const statement = statements[first!.text]!;
@@ -84,10 +89,6 @@ function readLine(r: Reader, builder: Builder): void {
     statement.read(r, builder);
     r.end(statement.example);
     return;
-  } else
-    r.fail(
-      `"${first!.text.slice(0, 40)}" begins no statement; there are ${Object.keys(statements).join(', ')}, and NAME = …`,
-      first,
-    );
+  } else r.fail(noStatement(first!.text, Object.keys(statements)), first);
   r.end(`a line defines one name`);
 }

@@ -98,7 +98,7 @@ export const statements: Readonly<Record<string, Statement>> = {
       if (unit) checkUnit(r, unit);
       const angle = isAngleUnit(unit?.text);
       const scale = unit?.text === 'deg' ? Math.PI / 180 : 1;
-      r.expect('=', 'parameter m [kg] = 2');
+      r.expect('=', unit ? 'parameter m [kg] = 2' : 'parameter m = 2, and with a unit parameter m [kg] = 2');
       const value = b.constant(r, ...PARAMETER_WORDS) * scale;
       let text = label(r);
       const meta: { positive?: true; min?: number; max?: number; group?: string; note?: string } = {};
@@ -196,7 +196,12 @@ export const statements: Readonly<Record<string, Statement>> = {
   kinetic: {
     example: "kinetic 1/2*m*x'^2",
     read(r, b) {
-      b.model.kinetic = b.graph.add(b.model.kinetic, r.scalar());
+      const energy = b.ofMotion(
+        r,
+        r.scalar(),
+        'what has none belongs to the line that has, or with the other sign to potential',
+      );
+      b.model.kinetic = b.graph.add(b.model.kinetic, energy);
       b.model.mechanical = true;
     },
   },
@@ -236,7 +241,7 @@ export const statements: Readonly<Record<string, Statement>> = {
   loss: {
     example: "loss 1/2*c*x'^2",
     read(r, b) {
-      b.model.loss = b.graph.add(b.model.loss, r.scalar());
+      b.model.loss = b.graph.add(b.model.loss, b.ofMotion(r, r.scalar(), 'without rates nothing is lost'));
     },
   },
   force: {
@@ -290,7 +295,7 @@ export const statements: Readonly<Record<string, Statement>> = {
     example: 'velocity dot(velocity(P), wheel.y) = 0 in rolling',
     words: ['in'],
     read(r, b) {
-      const value = difference(r, b, 'in');
+      const value = b.ofMotion(r, difference(r, b, 'in'), 'what stays in place is a height: height x = 0');
       const sets = r.take('in') ? setNames(r) : [];
       b.addRow(r, sets, { velocity: value, height: null, solve: null, line: r.line, label: label(r) ?? '' });
     },

@@ -1,4 +1,5 @@
 import type { Token } from '../scenario/expressions/reading.ts';
+import { oddCharacter } from './hints.ts';
 import { RAISED, SPELLINGS } from '../scenario/expressions/spellings.ts';
 
 /** What is wrong with a description: where, and what would be right. */
@@ -94,11 +95,7 @@ export function tokensOf(text: string, line: number): LineToken[] {
     if (word) put('name', word.replace(/[’′]$/, "'"), word.length);
     else if (number) put('number', number);
     else if (sign) put('sign', sign === '**' ? '^' : sign, sign.length);
-    else if (letter === '%') refuse('"%" is not understood; a comment begins with #, a remainder is mod(a, b)', at);
-    else if (letter === ';') refuse('one statement a line: begin a new line in place of ";"', at);
-    else if (letter === '.') refuse('a "." stands within a number, or between a name and x, y or z', at);
-    else if (/\p{L}/u.test(letter)) refuse(`"${letter}" is spelled out: alpha, theta, phi`, at);
-    else refuse(`"${letter}" has no place here`, at);
+    else refuse(oddCharacter(letter), at);
   }
   return tokens;
 }

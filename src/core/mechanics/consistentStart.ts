@@ -153,8 +153,13 @@ function solveContact(dynamics: ConstrainedSystem, contact: ContactMeta, q: Floa
   // Rounding of heights made of terms of about a metre.
   if (!(size < 1e-12)) {
     const points = system.meta.constraintSets.find(({ id }) => id === dynamics.constraints?.id)?.contact?.points;
+    const solved = contact.solveFor.join(' and ');
+    if (system.meta.description !== undefined)
+      throw new StartError(
+        `no ${solved} brings ${points} to zero from this start (nearest: ${size.toPrecision(2)} m): start elsewhere, let another coordinate give way (solve …), or choose constraints "none"`,
+      );
     throw new StartError(
-      `no ${contact.solveFor.join(' and ')} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude, or choose constraints "none"`,
+      `no ${solved} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude, or choose constraints "none"`,
     );
   }
 }

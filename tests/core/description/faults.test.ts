@@ -27,10 +27,54 @@ test('a right one has none', () => expect(faultsOf(PENDULUM)).toEqual([]));
 
 describe.each([
   ['a misspelled name', "kinetic 1/2 m thata'^2", /^line 5, column 15: unknown name "thata'"; did you mean theta'\?$/],
+  ['a misspelled word', 'potentail 3', /^line 5, column 1: "potentail" begins no statement; did you mean potential\?$/],
+  ['a word of no language', 'gimble 3', /"gimble" begins no statement; there are system, coordinate/],
   [
-    'a misspelled word',
-    'potentail 3',
-    /^line 5, column 1: "potentail" begins no statement; there are system, coordinate/,
+    'a word of another one',
+    'lagrangian theta',
+    /begins no statement; did you mean kinetic and potential, a line each\?$/,
+  ],
+  [
+    'a lost apostrophe',
+    'kinetic 1/2 m theta^2',
+    /^line 5, column 9: this has no rate in it: the rate of x is written x'/,
+  ],
+  ['a lost apostrophe in a loss', 'loss m theta^2', /this has no rate in it/],
+  ['a lost apostrophe in a velocity', 'velocity theta = 0', /column 10: this has no rate in it: .*height x = 0$/],
+  [
+    'a rate as elsewhere',
+    'loss thetadot^2',
+    /^line 5, column 6: unknown name "thetadot"; the rate of theta is written theta'$/,
+  ],
+  ['a rate as a quotient', 'loss (dtheta/dt)^2', /the rate of theta is written theta'$/],
+  [
+    'a rate as a function',
+    'loss diff(theta, t)',
+    /unknown function "diff"; the rate of x is written x', of an expression/,
+  ],
+  ['a rate by dot', 'loss dot(theta)', /it takes 2, not 1; the rate of x is written x'/],
+  ['two apostrophes', "theta'' = m", /^line 5, column 7: one apostrophe is a rate, x'; accelerations follow/],
+  [
+    'two names in one',
+    'potential mtheta',
+    /unknown name "mtheta"; a product has a space or \* between its factors: m theta$/,
+  ],
+  ['square brackets', 'potential m [theta]', /^line 5, column 13: square brackets hold the unit/],
+  ['curly brackets', 'potential m {theta}', /formulas have round brackets$/],
+  ['a comma for a point', 'parameter k = 0,5', /^line 5, column 16: .*decimals are written with a point$/],
+  ['a unit behind the value', 'parameter k = 5 N/m', /^line 5, column 17: .*parameter k \[N\/m\] = 5$/],
+  ['a unit without brackets', 'parameter k N/m = 5', /^line 5, column 13: "=" is expected here: .*\[kg\]/],
+  ['a word with =', 'potential = theta', /^line 5, column 11: "potential" begins a statement and has no "=" behind it/],
+  ['another comment', '// theta', /^line 5, column 1: a comment begins with #$/],
+  [
+    'a frame of itself',
+    'frame a = a turned z theta',
+    /^line 5, column 11: unknown name "a": it is this line that defines it/,
+  ],
+  [
+    'a body with =',
+    'body b mass = 2 at (0, 0, 0)',
+    /^line 5, column 13: "=" has no place here; the value stands behind the word/,
   ],
   [
     'a misspelled function',
@@ -52,13 +96,13 @@ describe.each([
   ['no number', 'parameter k = m', /^line 5, column 15: a number is needed here, without names$/],
   ['an infinity', 'parameter k = 1/0', /a finite number is needed$/],
   ['an odd character', 'potential theta; 3', /^line 5, column 16: one statement a line/],
-  ['a letter that is spelled out', 'potential θ', /"θ" is spelled out: alpha, theta, phi$/],
+  ['a letter that is spelled out', 'potential θ', /"θ" is spelled out: theta$/],
   ['constraints that are not there', "velocity theta' = 0 in rolling", /write "constraints rolling" on a line above$/],
   ['a drive by a coordinate', 'drive theta = m*theta', /a driven coordinate is given by t and parameters alone/],
   ['a row that is not linear', "velocity theta'^2 = 0", /^line 5, column 1: this velocity is not linear in the rates/],
   [
     'a row that asks for nothing',
-    'velocity 0*theta = 0',
+    "velocity theta' - theta' sin(theta)^2 - theta' cos(theta)^2 = 0",
     /^line 5, column 1: this constraint follows from those above it/,
   ],
   [
@@ -82,6 +126,20 @@ describe.each([
 test('a row that follows from another is told by its own line', () => {
   const text = `coordinate x, y\nkinetic x'^2 + y'^2\nvelocity x' = y'\nvelocity 2 x' - 2 y' = 0`;
   expect(faultsOf(text)).toEqual([expect.stringMatching(/^line 4, column 1: this constraint follows/)]);
+});
+
+test('a name that is used above its line, and gravity by another name, are told', () => {
+  expect(faultsOf("kinetic 1/2 m x'^2\nparameter m = 1")[0]).toMatch(
+    /"m": it is defined below, on line 2; that line has to stand above/,
+  );
+  const text = 'coordinate z\nparameter g = 9.81\nbody b mass 1 at (0, 0, z)';
+  expect(faultsOf(text)).toEqual([
+    expect.stringMatching(/^line 2, column 1: nothing uses g; bodies weigh by .* gravity/),
+  ]);
+  expect(faultsOf(`${text}\npotential g z`)).toEqual([]);
+  expect(faultsOf("coordinate x\nkinetic -x'^2")).toEqual([
+    expect.stringMatching(/^line 1, .*kinetic energy of x is negative/),
+  ]);
 });
 
 test('every line has its own fault, and what misses a name of a wrong line has none', () => {

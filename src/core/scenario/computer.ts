@@ -112,7 +112,7 @@ function checkSensor(c: Checker, name: string, raw: unknown, states: readonly st
     c.add(path, (error as Error).message);
   }
   const sensor: Sensor = {};
-  for (const [key, value] of c.entries(path, raw, ['noise', 'density', 'resolution', 'bias', 'drift'])) {
+  for (const [key, value] of c.entries(path, raw, ['noise', 'density', 'resolution', 'bias', 'drift', 'follow'])) {
     const checked = c.number(`${path}.${key}`, value, key === 'bias' ? {} : { least: 0 });
     if (checked) sensor[key as keyof Sensor] = checked;
   }

@@ -46,6 +46,8 @@ export interface Sensor {
   bias?: number;
   /** Random walk of the error, per √s. */
   drift?: number;
+  /** Random walk (per √s) by which a filter follows the error as a state of its own; without it, it takes the sensor for right. */
+  follow?: number;
 }
 
 export interface LqrControl extends Computer {

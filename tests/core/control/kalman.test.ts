@@ -90,6 +90,36 @@ describe('the filter', () => {
     expect(() => filterAt(control)).toThrow(/needs process noise/);
   });
 
+  test('follows an error of a sensor, which the others tell from a lean', () => {
+    const [off, after] = [0.02, 4];
+    const leanOf = (follow: number): number => {
+      const first = { noise: 1e-3, ...(follow > 0 ? { follow } : {}) };
+      const process = { alpha_fp_dot: 0.01, alpha_bp_dot: 0.01, theta_fc_dot: 0.01, theta_bc_dot: 0.01 };
+      const control = { sensors: { ...LOCAL, [ROLLS[0]!]: first }, process };
+      const estimate = [...feedbackOf(scenarioOf(board(control)), system)!.values()][0]!.estimator!.begin();
+      for (let k = 0; k < after / 0.005; k++) {
+        estimate.correct(k * 0.005, [off, 0, 0, 0, 0, 0]);
+        estimate.predict([0, 0]);
+      }
+      estimate.correct(after, [off, 0, 0, 0, 0, 0]);
+      return Math.abs(estimate.q[3]! + estimate.q[6]!);
+    };
+    expect(leanOf(0)).toBeGreaterThan(0.1 * off);
+    expect(leanOf(0.01)).toBeLessThan(0.02 * off);
+    const report = computerReport(
+      scenarioOf(board({ sensors: { ...LOCAL, [ROLLS[0]!]: { noise: 1e-3, follow: 0.003 } } })),
+      system,
+    ).estimator!;
+    expect(report).toMatchObject({ biases: [ROLLS[0]], dimension: 8 });
+    expect(report.A).toHaveLength(9);
+  });
+
+  test('an error that nothing tells from a motion can not be followed, in words', () => {
+    expect(() => filterAt({ sensors: { ...LOCAL, Y: { noise: 1e-3, follow: 0.01 } } })).toThrow(
+      /control\.sensors: .*can not be followed/,
+    );
+  });
+
   test('stands in the report; without sensors nothing does', () => {
     expect(computerReport(scenarioOf(board({})), system).estimator).toBeNull();
     const { estimator } = computerReport(scenarioOf(board({ sensors: LOCAL })), system);

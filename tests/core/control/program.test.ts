@@ -35,7 +35,8 @@ const program = (control: object): ControllerProgram => {
 const sensors = Object.fromEntries(
   ['alpha + alpha_fp', 'alpha + alpha_bp', 'alpha_dot + alpha_fp_dot', 'theta_fc', 'theta_bc'].map((name) => [
     name,
-    { noise: 1e-3 },
+    // The error of one is followed.
+    name === 'alpha + alpha_fp' ? { noise: 1e-3, follow: 0.003 } : { noise: 1e-3 },
   ]),
 );
 

@@ -10,6 +10,7 @@ import {
   continuousKalman,
   observedPlant,
   sampledKalman,
+  withBiases,
   type KalmanFilter,
   type ObservedPlant,
 } from '../sampled/kalman.ts';
@@ -149,7 +150,7 @@ export function filterOf({ control }: Scenario, { linearization }: LqrDesign): F
   });
   const intensities = states.map((name) => (process ? (process[name] ?? 0) : 1));
   return located('control.sensors', () => {
-    const plant = observedPlant(linearization, new Matrix(rows), names);
+    const plant = withBiases(observedPlant(linearization, new Matrix(rows), names), sensors);
     const deviations = Object.values(sensors).map((sensor) => deviationOf(sensor, sample));
     const filter = sample
       ? sampledKalman(plant, intensities, deviations, sample)

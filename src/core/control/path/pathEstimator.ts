@@ -1,5 +1,6 @@
 import { cosine, sine } from '../../elementary/trigonometry.ts';
 import type { Estimate, Estimator } from '../../mechanics/forcing.ts';
+import { Covariance } from './covariance.ts';
 import { turned, type PathCurve, type PathPlace } from './pathCurve.ts';
 import { alongThePath, TurnModel, type PathFilter } from './pathFilter.ts';
 import type { Plane } from './steadyTurn.ts';
@@ -32,16 +33,19 @@ class PathEstimate implements Estimate {
   private readonly model: TurnModel;
   private readonly sensors: ReturnType<PathFilter['makeSensors']>;
   private readonly place: PathPlace = { x: 0, y: 0, heading: 0, curvature: 0 };
-  /** Of the deviations along and across the path, coordinates, then velocities; with room for a product. */
-  private readonly P: Float64Array;
-  private readonly FP: Float64Array;
+  /** Errors of the sensors that are followed. */
+  private readonly bias: Float64Array;
+  /** Of the deviations along and across the path, coordinates, then velocities, then of those errors. */
+  private readonly covariance: Covariance;
+  private readonly walked: readonly number[];
   /** Deviations, and behind them what lagging inputs give. */
   private readonly e: Float64Array;
   private readonly next: Float64Array;
   private readonly given: Float64Array;
   private readonly past: Float64Array;
   private readonly slopes: Float64Array;
-  private readonly seen: Float64Array;
+  /** Those by the states, without the followed errors. */
+  private readonly ofStates: Float64Array;
   private readonly change: Float64Array;
   private readonly read: Float64Array;
   private readonly expected: Float64Array;
@@ -61,11 +65,10 @@ class PathEstimate implements Estimate {
     [this.e, this.next] = [new Float64Array(size), new Float64Array(size)];
     this.given = new Float64Array(slow.length);
     this.past = new Float64Array(k * (memory.count + 1));
-    [this.slopes, this.seen, this.change] = [0, 0, 0].map(() => new Float64Array(2 * n)) as [
-      Float64Array,
-      Float64Array,
-      Float64Array,
-    ];
+    this.bias = new Float64Array(filter.biases.length);
+    const all = 2 * n + this.bias.length;
+    [this.slopes, this.change] = [new Float64Array(all), new Float64Array(all)];
+    this.ofStates = this.slopes.subarray(0, 2 * n);
     [this.read, this.expected] = [new Float64Array(variances.length), new Float64Array(variances.length)];
     this.settle();
     const { curvatures } = filter;
@@ -74,8 +77,12 @@ class PathEstimate implements Estimate {
         Math.abs(kappa - this.place.curvature) < Math.abs(curvatures[best]! - this.place.curvature) ? i : best,
       0,
     );
-    this.P = filter.unknown[nearest]!.slice();
-    this.FP = new Float64Array(this.P.length);
+    this.covariance = new Covariance(2 * n, this.bias.length);
+    this.covariance.start(
+      filter.unknown[nearest]!,
+      filter.biases.map(({ first }) => first),
+    );
+    this.walked = filter.biases.map(({ walk }) => walk * walk * filter.sample);
   }
 
   measure(k: number, _t: number, q: ArrayLike<number>, v: ArrayLike<number>): void {
@@ -99,27 +106,19 @@ class PathEstimate implements Estimate {
 
   /** Corrects by what was read beyond what was expected, sensor by sensor: their noises are independent. */
   private takeIn(): void {
-    const { q, v, P, plane, sensors, slopes, seen, change, read, filter } = this;
+    const { q, v, bias, covariance, plane, sensors, slopes, change, read, filter } = this;
     const n = q.length;
-    const size = 2 * n;
     const [c, s] = [cosine(this.place.heading), sine(this.place.heading)];
     change.fill(0);
     for (let i = 0; i < read.length; i++) {
-      sensors.slopes(i, q, v, slopes);
+      let off = read[i]!;
+      sensors.slopes(i, q, v, this.ofStates);
       alongThePath(slopes, plane, n, c, s);
-      let [off, variance] = [read[i]!, filter.variances[i]!];
-      for (let r = 0; r < size; r++) {
-        off -= slopes[r]! * change[r]!;
-        let sum = 0;
-        for (let k = 0; k < size; k++) sum += P[r * size + k]! * slopes[k]!;
-        seen[r] = sum;
-        variance += slopes[r]! * sum;
+      for (let k = 0; k < bias.length; k++) {
+        slopes[2 * n + k] = filter.biases[k]!.place === i ? 1 : 0;
+        off -= slopes[2 * n + k]! * bias[k]!;
       }
-      for (let r = 0; r < size; r++) {
-        const gain = seen[r]! / variance;
-        change[r]! += gain * off;
-        for (let k = 0; k < size; k++) P[r * size + k]! -= gain * seen[k]!;
-      }
+      covariance.take(slopes, off, filter.variances[i]!, change);
     }
     // From along and across the path to the ground's axes: the turn back.
     alongThePath(change, plane, n, c, -s);
@@ -127,12 +126,14 @@ class PathEstimate implements Estimate {
       q[i]! += change[i]!;
       v[i]! += change[n + i]!;
     }
+    for (let k = 0; k < bias.length; k++) bias[k]! += change[2 * n + k]!;
   }
 
   know(_t: number, q: ArrayLike<number>, v: ArrayLike<number>): void {
     this.q.set(q);
     this.v.set(v);
-    this.P.fill(0);
+    this.bias.fill(0);
+    this.covariance.clear();
     this.settle();
   }
 
@@ -165,7 +166,7 @@ class PathEstimate implements Estimate {
     }
     filter.slow.forEach((i, at) => (given[at] = e[2 * n + at]! + model.u0[i]!));
     this.moveOn();
-    this.growCovariance();
+    this.covariance.grow(model.F, model.W, this.walked);
   }
 
   /** The nearest place of the path, and the model of its turn. */
@@ -213,24 +214,5 @@ class PathEstimate implements Estimate {
     q[plane.x] = place.x + e[plane.x]!;
     q[plane.y] = place.y + e[plane.y]!;
     q[plane.heading] = heading + turned(place.heading + q[plane.heading]! - heading);
-  }
-
-  private growCovariance(): void {
-    const { P, FP, model } = this;
-    const size = 2 * this.q.length;
-    const { F, W } = model;
-    for (let r = 0; r < size; r++)
-      for (let c = 0; c < size; c++) {
-        let sum = 0;
-        for (let k = 0; k < size; k++) sum += F[r * size + k]! * P[k * size + c]!;
-        FP[r * size + c] = sum;
-      }
-    for (let r = 0; r < size; r++)
-      for (let c = 0; c <= r; c++) {
-        let sum = W[r * size + c]!;
-        for (let k = 0; k < size; k++) sum += FP[r * size + k]! * F[c * size + k]!;
-        P[r * size + c] = sum;
-        P[c * size + r] = sum;
-      }
   }
 }

@@ -34,6 +34,8 @@ export interface PathFilter {
   readonly makeSensors: () => Sensors;
   /** Of the sensors' noise, per sample, squared. */
   readonly variances: readonly number[];
+  /** Sensors whose errors are followed: their places, random walks (per √s), and how well each is known at first. */
+  readonly biases: readonly { place: number; walk: number; first: number }[];
   readonly sample: number;
   /** Coordinates that roll on, beside those of the plane. */
   readonly rolls: readonly number[];
@@ -109,6 +111,9 @@ export function pathFilterOf(
     slow: [...timing.lags.keys()].filter((i) => timing.lags[i]! > 0),
     makeSensors: () => new Sensors(sensors, states, sample, seed),
     variances: Object.values(sensors).map((sensor) => deviationOf(sensor, sample) ** 2),
+    biases: Object.values(sensors).flatMap(({ follow = 0, bias = 0 }, place) =>
+      follow > 0 ? [{ place, walk: follow, first: Math.max(Math.abs(bias), follow) }] : [],
+    ),
     sample,
     rolls: system.meta.coordinates.flatMap(({ name }, i) =>
       motion.moving.includes(name) && i !== plane.x && i !== plane.y && i !== plane.heading ? [i] : [],

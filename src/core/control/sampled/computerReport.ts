@@ -38,6 +38,8 @@ export interface EstimatorReport {
   dimension: number;
   bySensor: { sensor: string; dimension: number }[];
   unseen: Mode[];
+  /** Sensors whose errors are followed: these are the last of s. */
+  biases: string[];
   /** On the seen part: `s' = A s + B u`, y = C s, s = fromStates x; what is estimated of x is toStates s. */
   A: number[][];
   B: number[][];
@@ -96,9 +98,10 @@ function estimatorReport(scenario: Scenario, design: LqrDesign): EstimatorReport
   const sampled = Boolean(scenario.control?.sample);
   return {
     sensors,
-    dimension: plant.A.rows,
+    dimension: plant.A.rows - (plant.biases ?? []).length,
     bySensor: plant.bySensor,
     unseen: plant.unseen,
+    biases: (plant.biases ?? []).map(({ sensor }) => sensor),
     A: plant.A.to2DArray(),
     B: plant.B.to2DArray(),
     C: plant.C.to2DArray(),

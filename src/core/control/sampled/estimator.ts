@@ -46,7 +46,12 @@ export class SampledEstimator implements Estimator {
       const { A, B } = held(driven.A, driven.B, duration);
       return { age, A: toRowMajor(A), B: toRowMajor(B) };
     });
-    this.firstGain = toRowMajor(correctionGain(Matrix.eye(plant.A.rows), plant.C, R));
+    const known = Matrix.eye(plant.A.rows);
+    const { biases = [] } = plant;
+    biases.forEach(({ first }, i) =>
+      known.set(known.rows - biases.length + i, known.rows - biases.length + i, first * first),
+    );
+    this.firstGain = toRowMajor(correctionGain(known, plant.C, R));
     this.gain = toRowMajor(filter.gain);
     this.C = toRowMajor(plant.C);
     this.toStates = toRowMajor(plant.toStates);

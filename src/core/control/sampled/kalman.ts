@@ -13,6 +13,7 @@ import {
   type Complex,
   type Mode,
 } from '../linearization/spectrum.ts';
+import type { Sensor } from '../../scenario/types.ts';
 import { solveDare } from './dare.ts';
 import { exponential } from './exponential.ts';
 import { sampledCost } from './hold.ts';
@@ -38,6 +39,8 @@ export interface ObservedPlant {
   readonly bySensor: { sensor: string; dimension: number }[];
   /** What decided, as in `Reachability`. */
   readonly margin: { kept: number; dropped: number };
+  /** Errors of sensors that are followed are the last states: their random walks, per √s, and how well each is known at first. */
+  readonly biases?: readonly { sensor: string; walk: number; first: number }[];
 }
 
 /**
@@ -87,6 +90,45 @@ export function observedPlant(
   };
 }
 
+/**
+ * The same with the errors of some sensors as states that wander by themselves.
+ *
+ * @param plant on the seen part
+ * @param sensors as the scenario has them, by name, in the order of C's rows
+ */
+export function withBiases(plant: ObservedPlant, sensors: Readonly<Record<string, Sensor>>): ObservedPlant {
+  const followed = Object.entries(sensors).flatMap(([sensor, { follow = 0, bias = 0 }], row) =>
+    follow > 0 ? [{ sensor, row, walk: follow, first: Math.max(Math.abs(bias), follow) }] : [],
+  );
+  const count = followed.length;
+  if (count === 0) return plant;
+  const { A, B, C, fromStates, toStates } = plant;
+  const [o, n] = [A.rows, fromStates.columns];
+  const within = (M: Matrix, rows: number, columns: number): Matrix => {
+    const larger = Matrix.zeros(rows, columns);
+    if (M.rows > 0 && M.columns > 0) larger.setSubMatrix(M, 0, 0);
+    return larger;
+  };
+  const reads = within(C, C.rows, o + count);
+  followed.forEach(({ row }, i) => reads.set(row, o + i, 1));
+  return {
+    ...plant,
+    A: within(A, o + count, o + count),
+    B: within(B, o + count, B.columns),
+    C: reads,
+    fromStates: within(fromStates, o + count, n),
+    toStates: within(toStates, toStates.rows, o + count),
+    biases: followed.map(({ sensor, walk, first }) => ({ sensor, walk, first })),
+  };
+}
+
+/** What the process and the walks of the followed errors add to the covariance, per s. */
+function processOf({ A, fromStates, biases = [] }: ObservedPlant, intensities: readonly number[]): Matrix {
+  const W = fromStates.mmul(Matrix.diag([...intensities])).mmul(fromStates.transpose());
+  biases.forEach(({ walk }, i) => W.set(A.rows - biases.length + i, A.rows - biases.length + i, walk * walk));
+  return W;
+}
+
 export interface KalmanFilter {
   /** Continuous: `s' = A s + B u + L (y - C s)`. Sampled: `s += L (y - C s)` at a measurement. o x p. */
   readonly gain: Matrix;
@@ -102,16 +144,16 @@ export interface KalmanFilter {
  * @param densities of the sensors' noise, per √Hz
  */
 export function continuousKalman(
-  { A, C, fromStates }: ObservedPlant,
+  plant: ObservedPlant,
   intensities: readonly number[],
   densities: readonly number[],
 ): KalmanFilter {
-  const root = Matrix.diag(intensities.map(Math.sqrt)).mmul(fromStates.transpose());
+  const { A, C } = plant;
   try {
     const { X, gain, residual, closedLoop } = solveCare(
       A.transpose(),
       C.transpose(),
-      root.transpose().mmul(root),
+      symmetricPart(processOf(plant, intensities)),
       densities.map((d) => d * d),
     );
     return { gain: gain.transpose(), covariance: X, poles: closedLoop, residual };
@@ -126,12 +168,13 @@ export function continuousKalman(
  * @param h sample time, s
  */
 export function sampledKalman(
-  { A, C, fromStates }: ObservedPlant,
+  plant: ObservedPlant,
   intensities: readonly number[],
   deviations: readonly number[],
   h: number,
 ): KalmanFilter {
-  const W = fromStates.mmul(Matrix.diag([...intensities])).mmul(fromStates.transpose());
+  const { A, C } = plant;
+  const W = processOf(plant, intensities);
   const none = new Matrix(A.rows, 0);
   const grown = sampledCost(A.transpose(), none, W, new Matrix(0, 0), h).Q;
   const R = Matrix.diag(deviations.map((d) => d * d));
@@ -165,6 +208,7 @@ function filterError(error: unknown): unknown {
   if (!(error instanceof ControlError)) return error;
   return new ControlError(
     'there is no stationary filter for these sensors and this process: a mode that neither grows nor dies needs process ' +
-      'noise to be followed; give control.process to the states that move in it, or leave it out (1 for each); noise far below what the process moves is lost in rounding',
+      'noise to be followed; give control.process to the states that move in it, or leave it out (1 for each); an error that the other sensors ' +
+      'do not tell from a motion can not be followed; noise far below what the process moves is lost in rounding',
   );
 }

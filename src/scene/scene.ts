@@ -41,7 +41,12 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const focus = new Focus();
   const pushDrag = new PushDrag(
     canvas,
-    { pick: pickAt, reachTo, pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]) },
+    {
+      pick: pickAt,
+      near: nearBodies,
+      reachTo,
+      pace: () => (follow || view === 'rider' ? focus.pace(view) : [0, 0, 0]),
+    },
     options,
   ); // hears of a press before the camera does
   const rig = new CameraRig(canvas, options.reducedMotion, requestRender);
@@ -187,6 +192,13 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
 
   function pickAt(x: number, y: number, reach = 0) {
     return shown ? pickBody(x, y, reach, rig.camera, size, bodies) : null;
+  }
+
+  function nearBodies(x: number, y: number, pixels: number): boolean {
+    return Array.from({ length: bodies.count }, (_, i) => boxOnScreen(i, rig.camera, size, bodies)).some(
+      (box) =>
+        box && x > box.left - pixels && x < box.right + pixels && y > box.top - pixels && y < box.bottom + pixels,
+    );
   }
 
   function reachTo(x: number, y: number, at: { body: number; point: Triple }): Triple | null {

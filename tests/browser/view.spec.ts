@@ -115,7 +115,20 @@ test('a body is taken hold of with Shift or the switch, pulled, and let go', asy
   await drawn(page);
   expect(await differingPixels(page, await picture(page), plain), 'the pull is drawn').toBeGreaterThan(80);
   await page.mouse.up();
+  // A push that misses moves nothing, the camera least.
+  const seenFrom = () =>
+    page.evaluate(() => {
+      const { camera, target } = window.ripstikScene!.placement();
+      return camera.map((x, i) => (x - target[i]!).toFixed(6)).join(' ');
+    });
+  const stood = await seenFrom();
+  await page.mouse.move(at.x, at.y + 150);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 60, at.y + 100, { steps: 2 });
+  await page.mouse.up();
   await page.keyboard.up('Shift');
+  await drawn(page);
+  expect(await seenFrom()).toBe(stood);
   await expect(page.getByTestId('toggle-push')).toBeVisible();
 });
 

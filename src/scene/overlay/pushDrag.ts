@@ -3,12 +3,16 @@ import type { PushByDrag, Pick, SceneOptions } from '../contract.ts';
 
 /** How far from a body a press still pushes it (CSS pixels). */
 const REACH = { mouse: 3, touch: 14 } as const;
+/** A press as near to the bodies as this was meant for one of them (CSS pixels): missing it moves nothing, the camera least. */
+const MISS = 80;
 
 type Point = readonly [number, number, number];
 
 /** What a push needs of the scene. */
 export interface PushScene {
   pick(x: number, y: number, reach: number): Pick | null;
+  /** Whether a place on the screen is within so many CSS pixels of what bounds a body. */
+  near(x: number, y: number, pixels: number): boolean;
   /** Where the pointer at a place on the screen takes the point that stands here in the body's frame. */
   reachTo(x: number, y: number, at: Pick): Point | null;
   /** How fast the camera goes along with what it follows, m/s. */
@@ -21,6 +25,8 @@ export class PushDrag {
   private readonly scene: PushScene;
   private readonly tell: Listener;
   private pressed: { pointer: number; at: Pick; x: number; y: number; last: Point } | null = null;
+  /** The pointer of a push that missed: nobody hears of it until it is lifted. */
+  private missed: number | null = null;
   private readonly undo = new AbortController();
 
   /** Made before the camera's own controls or not: it hears of a press first, and keeps those that are its own. */
@@ -68,7 +74,11 @@ export class PushDrag {
     if (!wanted || event.button !== 0) return;
     const [x, y] = this.place(event);
     const at = this.scene.pick(x, y, event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
-    if (!at) return;
+    if (!at) {
+      if (!event.shiftKey && !this.scene.near(x, y, MISS)) return;
+      this.missed = event.pointerId;
+      return event.stopImmediatePropagation();
+    }
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.style.cursor = 'grabbing';
@@ -78,6 +88,7 @@ export class PushDrag {
 
   private move(event: PointerEvent): void {
     const { pressed } = this;
+    if (event.pointerId === this.missed && event.buttons !== 0) return event.stopImmediatePropagation();
     if (!pressed) return this.hover(event);
     event.stopImmediatePropagation();
     if (pressed.pointer !== event.pointerId) return;
@@ -86,6 +97,10 @@ export class PushDrag {
   }
 
   private lift(event: PointerEvent): void {
+    if (event.pointerId === this.missed) {
+      this.missed = null;
+      return event.stopImmediatePropagation();
+    }
     if (!this.pressed) return;
     event.stopImmediatePropagation();
     if (this.pressed.pointer === event.pointerId) this.release();

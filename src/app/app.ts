@@ -4,6 +4,7 @@ import type { ControlClient } from '../compute/client/controlClient.ts';
 import type { GaitClient } from '../compute/client/gaitClient.ts';
 import type { LocusClient } from '../compute/client/locusClient.ts';
 import type { MechanicsClient } from '../compute/client/mechanicsClient.ts';
+import type { CompanyActions, CompanyState } from './runs/company.ts';
 import type { RideUpdate } from '../compute/services/rideTypes.ts';
 import type { ScenarioFile } from '../core/scenario/types.ts';
 import type { ImportChoices } from '../csv/plan.ts';
@@ -47,6 +48,7 @@ export interface AppState
     TrustState,
     PlaybackState,
     PushState,
+    CompanyState,
     SettingsState,
     StageLayoutState,
     DialogState,
@@ -122,6 +124,7 @@ export interface AppActions
     OpenAndSaveActions,
     PlaybackActions,
     PushActions,
+    CompanyActions,
     SettingsActions,
     StageLayoutActions,
     DialogActions,

@@ -10,6 +10,7 @@ import { samples } from './files/samples.ts';
 import { later } from './later.ts';
 import { createPush } from './push/pushState.ts';
 import type { Comparison } from './runs/comparison.ts';
+import { createCompany } from './runs/company.ts';
 import { LiveRuns } from './runs/live.ts';
 import { ModePreviewer } from './runs/modePreview.ts';
 import { PinnedRuns } from './runs/pinnedRuns.ts';
@@ -61,6 +62,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
   const stage = createStage();
   const playback = createPlayback(stage.state, settings.state);
   const push = createPush();
+  const company = createCompany();
   const dialogs = createDialogs();
   const layout = createStageLayout();
   const fileState = createFileState();
@@ -160,6 +162,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     ...trust.state,
     ...playback.state,
     ...push.state,
+    ...company.state,
     ...settings.state,
     ...layout.state,
     ...dialogs.state,
@@ -176,6 +179,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
 
   const actions: AppActions = {
     ...push.actions,
+    ...company.actions,
     ...settings.actions,
     ...layout.actions,
     ...dialogs.actions,

@@ -88,6 +88,15 @@ export interface Ghost {
   wheelAngles: Float64Array;
 }
 
+/** A gate on the floor: its middle (m), the direction of going through it (rad), half of its width (m). */
+export interface GateModel {
+  x: number;
+  y: number;
+  heading: number;
+  half: number;
+  state: 'done' | 'next' | 'ahead';
+}
+
 type Point = readonly [number, number, number];
 
 /** A place on a body. */
@@ -176,6 +185,7 @@ export interface SceneView {
   setTrails(trails: readonly Trail[]): void;
   /** All ghosts there are now; the same cast as the bodies'. Poses are read at once and not kept. */
   setGhosts(ghosts: readonly Ghost[]): void;
+  setGates(gates: readonly GateModel[]): void;
   setView(name: ViewName): void;
   setFollow(follow: boolean): void;
   setSwitches(switches: Partial<Switches>): void;

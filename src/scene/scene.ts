@@ -252,6 +252,10 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       ghosts.set(list);
       requestRender();
     },
+    setGates(list) {
+      parts.gates.set(list);
+      requestRender();
+    },
     setView(name) {
       view = name;
       go(!shown);

@@ -82,6 +82,7 @@ export async function connectScene(
       dressed.value.system === state.motion.value?.system.meta.id ? ghostsAt(state, stage, state.time.value) : [],
     ),
   );
+  effect(() => view.setGates(state.gates.value));
   effect(() => {
     void state.push.value;
     const sampler = stage.sampler.peek();

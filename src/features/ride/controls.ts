@@ -28,6 +28,8 @@ export class Controls {
   private readonly held = new Set<string>();
   private readonly analog = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
   private readonly told = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
+  /** A gamepad held something a moment ago. */
+  private padded = false;
   private readonly tell: (name: Told, value: number) => void;
 
   constructor(tell: (name: Told, value: number) => void) {
@@ -61,8 +63,16 @@ export class Controls {
     Object.assign(this.told, { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 });
   }
 
+  /** Those that the browser knows of; one that is pulled out lets go. */
+  gamepads(pads: readonly (Gamepad | null)[]): void {
+    const pad = pads.find((one) => one?.connected);
+    if (pad) this.gamepad(pad);
+    else if (this.padded) this.gamepad({ axes: [], buttons: [] });
+    this.padded = Boolean(pad);
+  }
+
   /** Sticks and triggers, in the standard layout. */
-  gamepad(pad: Pick<Gamepad, 'axes' | 'buttons'>): void {
+  private gamepad(pad: Pick<Gamepad, 'axes' | 'buttons'>): void {
     const axis = (i: number): number => {
       const x = pad.axes[i] ?? 0;
       return Math.abs(x) < DEAD ? 0 : -x;

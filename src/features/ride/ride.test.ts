@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { Trajectory } from '../../core/motion/trajectory.ts';
 import { Controls } from './controls.ts';
 import { Passage, type Gate } from './course.ts';
 import { Measure } from './measure.ts';
-import { ghostAt, rideScenario, upTo } from './rides.ts';
+import { bestOf, ghostAt, rideScenario, rowsOf, upTo } from './rides.ts';
 
 const course: Gate[] = [
   { x: 1, y: 0, heading: 0 },
@@ -49,8 +50,14 @@ describe('controls', () => {
   it('take a stick with a rest in its middle', () => {
     const told: [string, number][] = [];
     const controls = new Controls((name, value) => told.push([name, value]));
-    controls.gamepad({ axes: [0.05, 0, -0.5], buttons: [] });
+    const pad = { connected: true, axes: [0.05, 0, -0.5], buttons: [] as GamepadButton[] } as unknown as Gamepad;
+    controls.gamepads([null, pad]);
     expect(told).toEqual([['lean', 0.5]]);
+    controls.gamepads([null]);
+    expect(told).toEqual([
+      ['lean', 0.5],
+      ['lean', 0],
+    ]);
   });
 });
 
@@ -80,7 +87,16 @@ it('a ride goes on from a moment with what was told up to there', () => {
 });
 
 it('the best ride waits at its end', () => {
-  const best = { time: 0.2, path: [0, 0, 1, 0, 2, 2] };
+  const columns = ['t', 'X', 'Y', 'X_dot', 'Y_dot'];
+  const rows = Trajectory.of(columns, [
+    Float64Array.of(0, 0.1, 0.15, 0.2, 0.3),
+    Float64Array.of(0, 1, 1.5, 2, 3),
+    Float64Array.of(0, 0, 1, 2, 3),
+    new Float64Array(5),
+    new Float64Array(5),
+  ]);
+  const best = bestOf(rows, ['X', 'Y'], 0.2);
+  expect(rowsOf(best).column('X')).toEqual(Float64Array.of(0, 1, 2));
   expect(ghostAt(best, 0.05)).toEqual({ x: 0.5, y: 0 });
   expect(ghostAt(best, 9)).toEqual({ x: 2, y: 2 });
 });

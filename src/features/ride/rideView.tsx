@@ -40,32 +40,37 @@ export function RideView({ onLeave }: { onLeave(): void }) {
             {session.said}
           </p>
         </div>
-        <div class="ride-choices">
-          <Choice
-            label={words.help}
-            options={words.helpLevels}
-            value={level}
-            testId="ride-help"
-            onChange={(next) => session.setHelp(next)}
-          />
-          <Choice
-            label={words.pace}
-            options={words.paces}
-            value={pace}
-            testId="ride-pace"
-            onChange={(next) => session.setPace(next)}
-          />
-          <label class="ride-rider">
-            <input
-              type="checkbox"
-              checked={session.rider}
-              data-testid="ride-rider"
-              onChange={(event) => session.setRider(event.currentTarget.checked)}
-            />{' '}
-            {words.rider}
-          </label>
-          <span class="hint">{words.helpHint[level]}</span>
-        </div>
+        <details class="ride-more" open={phase === 'over'}>
+          <summary data-testid="ride-more">
+            {words.choices(words.helpLevels[level]!, words.paces[pace]!, session.rider)}
+          </summary>
+          <div class="ride-choices">
+            <Choice
+              label={words.help}
+              options={words.helpLevels}
+              value={level}
+              testId="ride-help"
+              onChange={(next) => session.setHelp(next)}
+            />
+            <Choice
+              label={words.pace}
+              options={words.paces}
+              value={pace}
+              testId="ride-pace"
+              onChange={(next) => session.setPace(next)}
+            />
+            <label class="ride-rider">
+              <input
+                type="checkbox"
+                checked={session.rider}
+                data-testid="ride-rider"
+                onChange={(event) => session.setRider(event.currentTarget.checked)}
+              />{' '}
+              {words.rider}
+            </label>
+            <span class="hint">{words.helpHint[level]}</span>
+          </div>
+        </details>
         <Pads session={session} />
         <div class="ride-buttons">
           <button type="button" class="primary" data-testid="ride-again" onClick={() => session.begin()}>

@@ -1,19 +1,22 @@
 /** Rides as scenarios, and the best one through the course, which this browser keeps. */
-import type { Trajectory } from '../../core/motion/trajectory.ts';
+import { Trajectory } from '../../core/motion/trajectory.ts';
 import type { RideCommand, RideControl, ScenarioFile } from '../../core/scenario/types.ts';
 
 /** Against which wheels roll, N·s/m each: as the gaits take it. */
 const DRAG = 0.5;
 /** A ride ends by itself after this, s. */
 const LONGEST = 300;
-/** Of the kept path, s. */
+/** Between rows of what is kept, s, and how fine its numbers are. */
 const APART = 0.1;
+const FINE = 1e4;
 
 export interface Best {
   /** s. */
   time: number;
-  /** X and Y in turn, one pair every tenth of a second, m. */
-  path: number[];
+  /** `t`, then every coordinate and its rate. */
+  columns: string[];
+  /** Of each column, a value about every tenth of a second. */
+  values: number[][];
 }
 
 export function rideScenario(rider: boolean, help: number, commands: readonly RideCommand[] = []): ScenarioFile {
@@ -36,25 +39,42 @@ export function upTo(file: ScenarioFile | null | undefined, time: number): Scena
   return { ...file, control, duration: Math.max(LONGEST, time + LONGEST) };
 }
 
-export function pathOf(trajectory: Trajectory, until: number): number[] {
-  const [t, x, y] = ['t', 'X', 'Y'].map((name) => trajectory.column(name)!);
-  const path: number[] = [];
-  for (let i = 0, due = 0; i < trajectory.length && t![i]! <= until; i++) {
-    if (t![i]! < due) continue;
+/**
+ * @param trajectory of the ride
+ * @param coordinates of what is ridden
+ * @param time at which it was through, s
+ */
+export function bestOf(trajectory: Trajectory, coordinates: readonly string[], time: number): Best {
+  const columns = ['t', ...coordinates, ...coordinates.map((name) => `${name}_dot`)];
+  const all = columns.map((name) => trajectory.column(name)!);
+  const values: number[][] = columns.map(() => []);
+  for (let i = 0, due = 0; i < trajectory.length && all[0]![i]! <= time; i++) {
+    if (all[0]![i]! < due) continue;
     due += APART;
-    path.push(Math.round(x![i]! * 1000) / 1000, Math.round(y![i]! * 1000) / 1000);
+    all.forEach((column, k) => values[k]!.push(Math.round(column[i]! * FINE) / FINE));
   }
-  return path;
+  return { time, columns, values };
 }
 
+/** The kept ride as a motion's rows. */
+export const rowsOf = ({ columns, values }: Best): Trajectory =>
+  Trajectory.of(
+    columns,
+    values.map((column) => Float64Array.from(column)),
+  );
+
 /** Where the best ride was at a time (s); it waits at its end. */
-export function ghostAt({ path }: Best, time: number): { x: number; y: number } {
-  const last = path.length / 2 - 1;
-  const place = Math.min(time / APART, last);
-  const i = Math.min(Math.floor(place), Math.max(last - 1, 0));
-  const share = Math.min(place - i, 1);
-  const at = (k: number): number => path[Math.min(2 * i + k, path.length - 1)]!;
-  return { x: at(0) + share * (at(2) - at(0)), y: at(1) + share * (at(3) - at(1)) };
+export function ghostAt({ columns, values }: Best, time: number): { x: number; y: number } {
+  const t = values[0]!;
+  const next = t.findIndex((row) => row > time);
+  const i = next < 0 ? t.length - 1 : Math.max(next - 1, 0);
+  const j = Math.min(i + 1, t.length - 1);
+  const share = j > i ? Math.min(Math.max((time - t[i]!) / (t[j]! - t[i]!), 0), 1) : 0;
+  const at = (name: string): number => {
+    const column = values[columns.indexOf(name)]!;
+    return column[i]! + share * (column[j]! - column[i]!);
+  };
+  return { x: at('X'), y: at('Y') };
 }
 
 /** Under the prefix of all that the page stores, so that it is forgotten with the rest. */
@@ -63,8 +83,7 @@ const key = (rider: boolean): string => `ripstik.ride.${rider ? 'rider' : 'board
 export function storedBest(rider: boolean): Best | null {
   try {
     const found = JSON.parse(localStorage.getItem(key(rider)) ?? 'null') as Best | null;
-    const whole = found && Number.isFinite(found.time) && Array.isArray(found.path) && found.path.length >= 2;
-    return whole && found.path.every((x) => Number.isFinite(x)) ? found : null;
+    return found && isWhole(found) ? found : null;
   } catch {
     // No storage, or not what was put there: no best ride.
     return null;
@@ -77,4 +96,16 @@ export function storeBest(rider: boolean, best: Best): void {
   } catch {
     // Full or not allowed: it holds for this visit.
   }
+}
+
+function isWhole({ time, columns, values }: Best): boolean {
+  if (!Number.isFinite(time) || !Array.isArray(columns) || !Array.isArray(values)) return false;
+  const rows = values[0]?.length ?? 0;
+  return (
+    ['t', 'X', 'Y'].every((name) => columns.includes(name)) &&
+    columns[0] === 't' &&
+    rows > 0 &&
+    columns.length === values.length &&
+    values.every((column) => column.length === rows && column.every((x) => Number.isFinite(x)))
+  );
 }

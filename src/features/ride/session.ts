@@ -1,10 +1,11 @@
 /** One person on the board: begins rides, tells them what the controls ask, follows them picture by picture. */
 import type { App } from '../../app/app.ts';
+import type { Motion } from '../../app/runs/motion.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { Controls } from './controls.ts';
-import { gates, Passage } from './course.ts';
+import { gates, HALF_WIDTH, Passage } from './course.ts';
 import { Measure } from './measure.ts';
-import { ghostAt, pathOf, rideScenario, storeBest, storedBest, upTo, type Best } from './rides.ts';
+import { bestOf, ghostAt, rideScenario, rowsOf, storeBest, storedBest, upTo, type Best } from './rides.ts';
 import { words } from './words.ts';
 
 type Phase = 'starting' | 'riding' | 'over';
@@ -56,6 +57,8 @@ export class Session {
       cancelAnimationFrame(frame);
       this.ride++;
       if (this.phase !== 'over') actions.cancel();
+      actions.setGates([]);
+      actions.setCompanion(null);
       if (state.view.peek() === 'rider') actions.set('view', view);
       if (state.motion.peek()?.written?.control?.type === 'ride') actions.report('info', words.label, [words.kept]);
     };
@@ -84,6 +87,7 @@ export class Session {
     this.phase = 'starting';
     this.said = words.ready;
     this.motion = state.motion.peek()?.id ?? 0;
+    this.showGates();
     actions.ride(file, {
       title: words.title(this.rider),
       resume,
@@ -142,18 +146,19 @@ export class Session {
     if (this.phase === 'over') return;
     const { state, actions } = this.app;
     actions.steer({ ready: true });
+    this.controls.gamepads(navigator.getGamepads?.() ?? []);
     const motion = state.motion.peek();
     if (!motion || motion.written?.control?.type !== 'ride' || state.run.peek()?.kind !== 'computing') return;
     if (this.phase === 'starting') {
       if (motion.id === this.motion) return;
       this.motion = motion.id;
       this.phase = 'riding';
-      this.said = words.begin;
+      this.said = matchMedia('(pointer: coarse)').matches ? words.beginByTouch : words.begin;
+      actions.setCompanion(this.best && companionOf(motion, this.best));
       actions.set('view', motion.system.meta.views?.ridden ? 'rider' : state.view.peek());
     }
     // Something else took the stage.
     if (motion.id !== this.motion) return void (this.phase = 'over');
-    for (const pad of navigator.getGamepads?.() ?? []) if (pad?.connected) this.controls.gamepad(pad);
     this.look();
     this.measure.frame(performance.now(), this.time);
     if (now - this.drawn < DRAW_MS) return;
@@ -161,16 +166,29 @@ export class Session {
     this.draw();
   }
 
+  private showGates(): void {
+    const { passed } = this.passage;
+    this.app.actions.setGates(
+      gates.map((gate, i) => ({
+        ...gate,
+        half: HALF_WIDTH,
+        state: i < passed ? 'done' : i === passed ? 'next' : 'ahead',
+      })),
+    );
+  }
+
   /** Takes up the rows that came. */
   private look(): void {
     const { trajectory } = this.app.state.motion.peek()!;
     const [t, x, y, heading, vx, vy] = ['t', 'X', 'Y', 'theta', 'X_dot', 'Y_dot'].map((c) => trajectory.column(c)!);
     if (trajectory.length === 0) return;
+    const { passed } = this.passage;
     for (; this.rows < trajectory.length; this.rows++) {
       const i = this.rows;
       this.passage.at(t![i]!, x![i]!, y![i]!);
       if (i % 10 === 0) this.way.push(x![i]!, y![i]!);
     }
+    if (this.passage.passed !== passed) this.showGates();
     const last = trajectory.length - 1;
     this.time = t![last]!;
     this.speed = vx![last]! * Math.cos(heading![last]!) + vy![last]! * Math.sin(heading![last]!);
@@ -179,7 +197,8 @@ export class Session {
     const best = !this.best || finished < this.best.time;
     this.said = words.finished(finished, best);
     if (!best) return;
-    this.best = { time: finished, path: pathOf(trajectory, finished) };
+    const names = this.app.state.motion.peek()!.system.meta.coordinates.map(({ name }) => name);
+    this.best = bestOf(trajectory, names, finished);
     storeBest(this.rider, this.best);
   }
 
@@ -197,3 +216,20 @@ export class Session {
     this.draw();
   }
 }
+
+/** The best ride beside the one that begins, in the same bodies. */
+const companionOf = ({ system, parameters }: Motion, best: Best): Motion => ({
+  id: -1,
+  source: 'run',
+  title: words.ghost,
+  system,
+  parameters,
+  trajectory: rowsOf(best),
+  constraints: null,
+  scenario: null,
+  written: null,
+  adjustments: [],
+  issues: [],
+  marks: [],
+  judgement: null,
+});

@@ -6,6 +6,7 @@ export const words = {
   title: (rider: boolean) => (rider ? 'Ride with a rider' : 'Ride of the board alone'),
   ready: 'The board is being made ready …',
   begin: 'Push off with ↑, steer with ← and →.',
+  beginByTouch: 'Hold Push to start, steer with Left and Right.',
   keys: '↑ push off · Space pump · ← → turn · A D lean · ↓ brake · R again · P wait · Esc leave',
   again: 'Again',
   leave: 'Leave',
@@ -14,6 +15,8 @@ export const words = {
   takeOver: 'Ride on from here',
   takeOverTitle: 'From the moment that is shown, the ride is yours again',
   rider: 'With a rider',
+  choices: (help: string, pace: string, rider: boolean) =>
+    `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}`,
   help: 'Help',
   helpLevels: { 1: 'Full', 0.75: 'Some', 0: 'None' } as Readonly<Record<number, string>>,
   helpHint: {
@@ -30,6 +33,7 @@ export const words = {
   seconds: (t: number) => `${t.toFixed(1)} s`,
   course: 'Course',
   gate: (passed: number, all: number) => `gate ${passed} of ${all}`,
+  ghost: 'best',
   best: (t: number) => `best ${t.toFixed(2)} s`,
   through: 'Through all gates',
   finished: (t: number, best: boolean) => `Through all gates in ${t.toFixed(2)} s${best ? ', your best yet' : ''}.`,

@@ -21,7 +21,9 @@ const firstVisit = (): boolean =>
 export function Welcome() {
   const { state } = useUi().app;
   const offered = useSignal(firstVisit());
-  const wanted = useComputed(() => touring.value || (offered.value && state.motion.value !== null)).value;
+  // Who rides has found something to do.
+  const riding = state.motion.value?.written?.control?.type === 'ride';
+  const wanted = useComputed(() => touring.value || (offered.value && state.motion.value !== null)).value && !riding;
   const view = useSignal<ComponentType<ComponentProps<typeof WelcomeView>> | null>(null);
   useEffect(() => {
     if (wanted && !view.value)

@@ -16,6 +16,8 @@ const BRISK = 8;
 const EASY = 6;
 /** So far a body leans over before the close-up's camera changes sides: a sine. */
 const SIDE = 0.2;
+/** So much higher than long is somebody who stands. */
+const STANDS = 1.2;
 
 export class Focus {
   /** Of the subject (m), or the world's origin where the camera stays with the world. */
@@ -81,7 +83,9 @@ export class Focus {
   /** The rider's eye, where it looks, and which way is up. @param level keeps the horizon */
   ride(level: boolean): RiderPlace {
     const { at } = this.rider;
-    return riderPlace(this.size, [at[0]!, at[1]!, at[2]!], at[3]!, level ? null : [at[4]!, at[5]!, at[6]!]);
+    const { low, high } = this.block;
+    const up: Triple | null = level ? null : [at[4]!, at[5]!, at[6]!];
+    return riderPlace(this.size, [at[0]!, at[1]!, at[2]!], at[3]!, up, high[2] - low[2] > STANDS * (high[0] - low[0]));
   }
 
   /** How fast the camera of a view goes along with what it follows, m/s. */

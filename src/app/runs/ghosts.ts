@@ -27,7 +27,7 @@ export function ghostsAt(
     Pick<LiveState, 'former'> &
     Pick<CompanyState, 'companion'> &
     Pick<SettingsState, 'view'> & { pinned: ReadonlySignal<readonly PinnedRun[]> },
-  stage: Pick<Stage, 'samplerOf' | 'sampler'>,
+  stage: Pick<Stage, 'samplerOf'> & Partial<Pick<Stage, 'sampler'>>,
   time: number,
 ): GhostPoses[] {
   const motion = state.motion.value;
@@ -56,7 +56,7 @@ export function ghostsAt(
     ['companion', companion?.title ?? '', beneath(companion)],
   ] as const) {
     if (!sampler?.sample(time)) continue;
-    if (id === 'companion' && state.view.value === 'rider' && isBehind(sampler.poses, stage.sampler.peek()?.poses))
+    if (id === 'companion' && state.view.value === 'rider' && isBehind(sampler.poses, stage.sampler?.peek()?.poses))
       continue;
     beside.push({ id, label, tint: FAINT, poses: sampler.poses, wheelAngles: sampler.wheelAngles });
   }

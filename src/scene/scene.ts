@@ -1,7 +1,7 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
 import { Color, Fog, Scene, Vector3 } from 'three';
 import { CameraRig } from './camera/camera.ts';
-import type { Frame, SceneOptions, SceneView, Switches, ViewName } from './contract.ts';
+import type { Frame, SceneOptions, ScreenBox, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './environment/device.ts';
 import { Haste } from './environment/haste.ts';
 import { Focus } from './camera/focus.ts';
@@ -110,6 +110,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   function draw(): void {
     const { camera, target, distance } = rig;
     parts.labels.follow(target, distance);
+    parts.labels.avoid(boxesOnScreen(), (world) => projected(world, camera, size));
     parts.handle.follow(camera);
     look(target, distance, camera.position.z);
     const done = room.watch(announced ? frames : 0);
@@ -194,10 +195,17 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     return shown ? pickBody(x, y, reach, rig.camera, size, bodies) : null;
   }
 
+  /** Of the bodies that are drawn. */
+  function boxesOnScreen(): ScreenBox[] {
+    return Array.from({ length: bodies.count }, (_, i) =>
+      bodies.shows(i) ? boxOnScreen(i, rig.camera, size, bodies) : null,
+    ).filter((box) => box !== null);
+  }
+
   function nearBodies(x: number, y: number, pixels: number): boolean {
-    return Array.from({ length: bodies.count }, (_, i) => boxOnScreen(i, rig.camera, size, bodies)).some(
-      (box) =>
-        box && x > box.left - pixels && x < box.right + pixels && y > box.top - pixels && y < box.bottom + pixels,
+    return boxesOnScreen().some(
+      ({ left, right, top, bottom }) =>
+        x > left - pixels && x < right + pixels && y > top - pixels && y < bottom + pixels,
     );
   }
 

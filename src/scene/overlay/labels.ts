@@ -11,14 +11,20 @@ import {
 } from 'three';
 import type { Palette } from '../palette.ts';
 import { MARKS, type PixelSize } from './words.ts';
+import type { ScreenBox } from '../contract.ts';
+import type { Triple } from '../camera/views.ts';
 
 /** Labels to either side of the crossing. */
 const SIDE = 4;
 /** Height of a label (CSS pixels); the text is a little smaller. */
 const HEIGHT = 18;
 const ASPECT = 4;
+/** Width of what is written on a label (CSS pixels). */
+const WRITTEN = 44;
 const MINUS = '\u2212';
 const THIN_SPACE = '\u2009';
+/** The y label of the crossing itself, which carries x: none. */
+const CROSSING = 2 * SIDE + 1;
 /** Textures kept when they go out of sight. */
 const KEPT = 64;
 
@@ -99,11 +105,24 @@ export class Labels {
     let next = 0;
     for (let k = -SIDE; k <= SIDE; k++) {
       this.write(this.sprites[next++]!, metreLabel('x', x + k * step), x + k * step, y, Math.abs(k));
-      // The crossing itself carries x; y starts beside it.
       const beside = this.sprites[next++]!;
-      beside.visible = k !== 0;
       if (k !== 0) this.write(beside, metreLabel('y', y + k * step), x, y + k * step, Math.abs(k));
     }
+  }
+
+  /** A label that would run into a body is not drawn. @param place on the screen (CSS pixels) of a point (m) */
+  avoid(boxes: readonly ScreenBox[], place: (world: Triple) => { x: number; y: number } | null): void {
+    if (this.hidden) return;
+    this.sprites.forEach((sprite, i) => {
+      if (i === CROSSING) return void (sprite.visible = false);
+      const at = place(sprite.position.toArray());
+      sprite.visible =
+        at !== null &&
+        !boxes.some(
+          ({ left, right, top, bottom }) =>
+            at.x < right && at.x + WRITTEN > left && at.y < bottom && at.y + HEIGHT > top,
+        );
+    });
   }
 
   dispose(): void {

@@ -10,7 +10,7 @@ export default tseslint.config(
       '**/*.generated.ts',
       'derivation/',
       'test-results/',
-      'site/',
+      'site/dist/',
       'coverage/',
     ],
   },

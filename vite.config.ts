@@ -41,7 +41,11 @@ const developersStyles = {
 
 export default defineConfig({
   base: './', // the built page works from any sub-path of any host
-  define: { __RIPSTIK_VERSION__: JSON.stringify(version) },
+  define: {
+    __RIPSTIK_VERSION__: JSON.stringify(version),
+    /** Where the site lies as seen from the page, if the page is a part of it: `npm run site` says so. */
+    __RIPSTIK_SITE__: JSON.stringify(process.env['RIPSTIK_SITE'] ?? ''),
+  },
   plugins: [woff2Only, developersStyles, leanThree(), workerWithPage(), chunkList(), licences(), offline()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {

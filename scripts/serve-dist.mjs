@@ -1,5 +1,5 @@
 // A static server for dist, without a dependency: `npm start` and the browser tests serve the page with it.
-// On its own: node scripts/serve-dist.mjs --port 4199 --base /lab/
+// On its own: node scripts/serve-dist.mjs --port 4199 --base /lab/ --folder site/dist
 import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve, sep } from 'node:path';
@@ -120,7 +120,8 @@ if (process.argv[1] && resolve(process.argv[1]) === fileURLToPath(import.meta.ur
   main(async (args) => {
     const value = (name, otherwise) => (args.includes(name) ? args[args.indexOf(name) + 1] : otherwise);
     const base = value('--base', '/');
-    const { port } = await serve({ port: Number(value('--port', '4199')), base, tries: 1 });
+    const folder = resolve(value('--folder', join(root, 'dist')));
+    const { port } = await serve({ port: Number(value('--port', '4199')), base, folder, tries: 1 });
     console.log(`http://127.0.0.1:${port}${base}`);
   });
 }

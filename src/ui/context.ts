@@ -29,7 +29,7 @@ export interface Ui {
   formulations: readonly FormulationChoice[];
   features: readonly Feature[];
   /** The places to work in beside the scene, each under its feature's id. */
-  tools: readonly (Tool & { id: string })[];
+  tools: readonly (Tool & { id: string; document: string | undefined })[];
   /** All that can be asked for by button, menu or key. */
   commands: readonly Command[];
   /** The case the draft came from; fields are compared with it. */
@@ -80,7 +80,7 @@ export function createUi(
     methods,
     formulations,
     features,
-    tools: features.flatMap(({ id, tool }) => (tool ? [{ id, ...tool }] : [])),
+    tools: features.flatMap(({ id, document, tool }) => (tool ? [{ id, document, ...tool }] : [])),
     commands,
     origin: origin ?? lastMatchingCase(app),
     system: computed(() => app.systemOf(app.state.draft.value.system)),

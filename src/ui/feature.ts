@@ -25,6 +25,8 @@ export interface Feature {
   id: string;
   /** Where it stands among the others in every slot, smallest first. */
   order: number;
+  /** Its document under docs/, with a place in it: what `?` at the head of its view opens. Every panel and tool has one. */
+  document?: string;
   /** The panel at the left, and the first tab of the phone's sheet. */
   panel?: { title: string; Body: ComponentType };
   tool?: Tool;

@@ -3,12 +3,14 @@ import { describe, expect, test } from 'vitest';
 
 const read = (file: string): string => readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8');
 const manifest = JSON.parse(read('package.json')) as Record<'dependencies' | 'devDependencies', Record<string, string>>;
-const lock = JSON.parse(read('package-lock.json')) as {
+interface Lock {
   packages: Record<
     string,
     { version?: string; integrity?: string; resolved?: string; license?: string; link?: boolean }
   >;
-};
+}
+const lock = JSON.parse(read('package-lock.json')) as Lock;
+const siteLock = JSON.parse(read('site/package-lock.json')) as Lock;
 
 /** Rows of the page's tables: name, version, licence, reason. */
 const page = read('docs/dependencies.md')
@@ -28,8 +30,14 @@ describe('dependencies', () => {
     }
   });
 
-  test('have a digest each, and no address', () => {
-    const packages = Object.entries(lock.packages).filter(([place]) => place !== '');
+  test('of the site are pinned too, and named with their version', () => {
+    const { devDependencies } = JSON.parse(read('site/package.json')) as typeof manifest;
+    expect(Object.keys(devDependencies)).toEqual(['vitepress']);
+    expect(read('docs/dependencies.md')).toContain(`VitePress ${devDependencies['vitepress']} (MIT)`);
+  });
+
+  test.each([lock, siteLock])('have a digest each, and no address', (of) => {
+    const packages = Object.entries(of.packages).filter(([place]) => place !== '');
     expect(packages.length).toBeGreaterThan(20);
     for (const [place, entry] of packages) {
       expect(entry.integrity, place).toMatch(/^sha512-/);

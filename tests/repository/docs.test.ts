@@ -1,6 +1,7 @@
-// What the code says of itself: every function declaration that `core` exports names its arguments; every decision is numbered, dated and listed.
-import { readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
+// What the code says of itself: every function declaration that `core` exports names its arguments; every decision is numbered, dated and
+// listed; every link of a document leads somewhere.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import ts from 'typescript';
 import { describe, expect, test } from 'vitest';
 
@@ -53,5 +54,46 @@ describe('decisions', () => {
     expect(state).toMatch(/^(Accepted|Replaced by \d{4}), \d{4}-\d{2}-\d{2}$/);
     const line = index.split('\n').find((row) => row.includes(`](${file})`));
     expect(line).toContain(`| ${state} |`);
+  });
+});
+
+describe('links of the documents', () => {
+  const markdown = [
+    '.',
+    'docs',
+    DECISIONS,
+    'docs/pictures',
+    'lessons',
+    'site',
+    'src/compute',
+    'src/core/integrators',
+  ].flatMap((folder) => readdirSync(folder).flatMap((file) => (file.endsWith('.md') ? [join(folder, file)] : [])));
+  const textOf = (file: string): string => readFileSync(file, 'utf8').replace(/^```[^]*?^```/gm, '');
+  /** As GitHub names a heading, and `site/.vitepress/markdown.mjs` too. */
+  const anchorsOf = (file: string): string[] =>
+    [...textOf(file).matchAll(/^#+ (.+)$/gm)].map(([, heading]) =>
+      heading!
+        .trim()
+        .toLowerCase()
+        .replace(/[^\p{L}\p{N}\p{M} _-]/gu, '')
+        .replaceAll(' ', '-'),
+    );
+
+  test('lead to a file, and to a heading of it', () => {
+    const dead: string[] = [];
+    let links = 0;
+    for (const file of markdown)
+      for (const [, target] of textOf(file)
+        .replace(/`[^`\n]*`/g, '')
+        .matchAll(/\]\(([^)\s]+)\)/g)) {
+        if (/^[a-z]+:/.test(target!)) continue;
+        links++;
+        const [path = '', anchor] = target!.split('#');
+        const there = path === '' ? file : join(dirname(file), path);
+        if (!existsSync(there)) dead.push(`${file}: ${target}`);
+        else if (anchor !== undefined && !anchorsOf(there).includes(anchor)) dead.push(`${file}: ${target}`);
+      }
+    expect(links).toBeGreaterThan(200);
+    expect(dead).toEqual([]);
   });
 });

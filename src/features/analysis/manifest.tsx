@@ -8,6 +8,7 @@ const ModeActions = later(async () => (await import('./modeActions.tsx')).ModeAc
 export const analysis: Feature = {
   id: 'analysis',
   order: 60,
+  document: 'control.md',
   tool: {
     title: firstWords.open,
     icon: 'analysis',

@@ -6,6 +6,7 @@ import { firstWords } from './firstWords.ts';
 export const compare: Feature = {
   id: 'compare',
   order: 80,
+  document: 'page.md#compare',
   tool: {
     title: firstWords.open,
     icon: 'compare',

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const equations: Feature = {
   id: 'equations',
   order: 50,
+  document: 'page.md#equations',
   tool: {
     title: firstWords.open,
     icon: 'equations',

@@ -3,4 +3,9 @@ import type { Feature } from '../../ui/feature.ts';
 import { Experiment } from './experiment.tsx';
 import { words } from './words.ts';
 
-export const experiment: Feature = { id: 'experiment', order: 10, panel: { title: words.title, Body: Experiment } };
+export const experiment: Feature = {
+  id: 'experiment',
+  order: 10,
+  document: 'page.md#experiment',
+  panel: { title: words.title, Body: Experiment },
+};

@@ -25,7 +25,7 @@ export function ExportDialog() {
   const renderer = exportService.available.value ? exportService.renderer() : null;
   const trouble = !motion || motion.trajectory.length === 0 ? text.noMotion : !renderer ? text.noScene : null;
   return (
-    <Dialog title={firstWords.title} testId="export-dialog" onClose={actions.closeDialog}>
+    <Dialog title={firstWords.title} testId="export-dialog" document="page.md#export" onClose={actions.closeDialog}>
       <div class="export">
         <div class="segments" role="group" aria-label={text.kinds}>
           {(Object.keys(text.tabs) as Tab[]).map((id) => (

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const gaits: Feature = {
   id: 'gaits',
   order: 65,
+  document: 'gaits.md',
   tool: {
     title: firstWords.open,
     icon: 'gaits',

@@ -35,7 +35,7 @@ export function CaseMenu() {
         <Icon name="down" />
       </button>
       {open.value && (
-        <Dialog title={text.title} testId="gallery" wide onClose={close}>
+        <Dialog title={text.title} testId="gallery" wide document="page.md#gallery" onClose={close}>
           <Gallery onClose={close} />
         </Dialog>
       )}

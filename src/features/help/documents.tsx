@@ -1,5 +1,6 @@
 /** The documents that come with the page, to be read in it. */
-import { useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { useUi } from '../../ui/context.ts';
 import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
 import { Markdown } from '../../ui/kit/markdown.tsx';
 import { words } from './words.ts';
@@ -19,15 +20,27 @@ const titleOf = (file: string): string => {
 };
 
 export function Documents() {
+  const { state } = useUi().app;
   const [open, setOpen] = useState<string | null>(null);
   const [text, setText] = useState<string | null>(null);
   const [failed, setFailed] = useState(false);
-  const show = (file: string): void => {
+  const place = useRef('');
+  const article = useRef<HTMLElement>(null);
+  const show = (file: string, at = ''): void => {
+    place.current = at;
     setText(null);
     setFailed(false);
     setOpen(file);
     files.get(file)!().then(setText, () => setFailed(true));
   };
+  useEffect(() => {
+    const [file = '', at] = (state.document.peek() ?? '').split('#');
+    if (files.has(file)) show(file, at);
+  }, []);
+  useEffect(() => {
+    if (text === null || !place.current) return;
+    article.current?.querySelector(`[data-place="${CSS.escape(place.current)}"]`)?.scrollIntoView();
+  }, [text]);
   if (open === null)
     return (
       <ul class="documents" data-testid="documents">
@@ -43,14 +56,14 @@ export function Documents() {
       </ul>
     );
   return (
-    <article class="help-text" data-testid="document">
+    <article ref={article} class="help-text" data-testid="document">
       <button type="button" class="link" onClick={() => setOpen(null)}>
         {words.back}
       </button>
       {text === null ? (
         <LoadingPart failed={failed} />
       ) : (
-        <Markdown text={text} linkOf={(file) => (files.has(file) ? () => show(file) : null)} />
+        <Markdown text={text} linkOf={(file, at) => (files.has(file) ? () => show(file, at) : null)} />
       )}
     </article>
   );

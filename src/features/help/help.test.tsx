@@ -1,12 +1,14 @@
 // @vitest-environment happy-dom
 // The help: one glossary for page and documents, documents that are read as they are written, every licence named.
 import { readdirSync, readFileSync } from 'node:fs';
-import { cleanup, screen } from '@testing-library/preact';
+import { cleanup, screen, waitFor } from '@testing-library/preact';
 import { afterEach, expect, test } from 'vitest';
 import { draw } from '../../../tests/ui/page.tsx';
 import { licencesOf } from '../../../scripts/licences.ts';
 import { glossary, idOf } from '../../ui/glossary.ts';
 import { Licences } from './about.tsx';
+import { Documents } from './documents.tsx';
+import { HelpLink } from '../../ui/kit/helpLink.tsx';
 import { Markdown } from '../../ui/kit/markdown.tsx';
 
 afterEach(cleanup);
@@ -44,6 +46,20 @@ test('documents are read as they are written: headings, lists, tables, code, lin
   screen.getByRole('button', { name: 'another' }).click();
   expect(opened).toBe('csv-format.md');
   expect(screen.queryByRole('button', { name: 'outside' })).toBeNull();
+});
+
+test('a view’s document opens at its place', async () => {
+  const { app } = draw(<HelpLink document="control.md#reachability" title="Analysis" />);
+  screen.getByRole('button', { name: 'Help on Analysis' }).click();
+  expect(app.state.dialog.peek()).toBe('keys');
+  let shown = '';
+  HTMLElement.prototype.scrollIntoView = function (this: HTMLElement) {
+    shown = this.textContent;
+  };
+  draw(<Documents />, { app });
+  await waitFor(() => expect(shown).toBe('Reachability'));
+  app.actions.closeDialog();
+  expect(app.state.document.peek()).toBeNull();
 });
 
 test('every package that the page names stands with its licence in the text beside it', () => {

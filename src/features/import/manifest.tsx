@@ -16,6 +16,7 @@ function withFile(load: () => Promise<ComponentType>): ComponentType {
 export const importing: Feature = {
   id: 'import',
   order: 88,
+  document: 'csv-format.md',
   tool: {
     title: firstWords.title,
     icon: 'table',

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const lessons: Feature = {
   id: 'lessons',
   order: 92,
+  document: 'lessons.md',
   tool: {
     title: firstWords.open,
     icon: 'lessons',

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const methods: Feature = {
   id: 'methods',
   order: 70,
+  document: 'page.md#methods',
   tool: {
     title: firstWords.open,
     icon: 'methods',

@@ -7,5 +7,6 @@ import { words } from './words.ts';
 export const now: Feature = {
   id: 'now',
   order: 30,
+  document: 'page.md#now',
   tool: { title: words.title, icon: 'now', size: 'narrow', Body: NowTool },
 };

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const own: Feature = {
   id: 'own',
   order: 55,
+  document: 'own-systems.md',
   tool: {
     title: firstWords.open,
     icon: 'own',

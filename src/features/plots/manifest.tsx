@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const plots: Feature = {
   id: 'plots',
   order: 40,
+  document: 'page.md#plots',
   tool: {
     title: firstWords.open,
     icon: 'plots',

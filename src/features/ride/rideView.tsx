@@ -4,6 +4,7 @@ import type { App } from '../../app/app.ts';
 import { useUi } from '../../ui/context.ts';
 import { CourseMap } from './courseMap.tsx';
 import { Session } from './session.ts';
+import { HelpLink } from '../../ui/kit/helpLink.tsx';
 import { Choice, Pads } from './pads.tsx';
 import { gates } from './course.ts';
 import './ride.css';
@@ -86,6 +87,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
           <button type="button" data-testid="ride-leave" onClick={onLeave}>
             {words.leave}
           </button>
+          <HelpLink document="riding.md" title={words.label} />
         </div>
         <p class="hint ride-keys">{words.keys}</p>
       </section>

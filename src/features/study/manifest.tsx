@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const study: Feature = {
   id: 'study',
   order: 82,
+  document: 'sweeps.md',
   tool: {
     title: firstWords.title,
     icon: 'study',

@@ -5,6 +5,7 @@ import { firstWords } from './firstWords.ts';
 export const tests: Feature = {
   id: 'tests',
   order: 72,
+  document: 'control.md#tests-of-a-vehicle',
   tool: {
     title: firstWords.open,
     icon: 'check',

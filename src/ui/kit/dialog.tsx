@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useRef } from 'preact/hooks';
+import { HelpLink } from './helpLink.tsx';
 import { Icon } from './controls.tsx';
 import { words } from './words.ts';
 
@@ -8,12 +9,15 @@ export function Dialog({
   title,
   testId,
   wide,
+  document: about,
   onClose,
   children,
 }: {
   title: string;
   testId: string;
   wide?: boolean;
+  /** The document that it is explained in, under docs/. */
+  document?: string;
   onClose(): void;
   children: ComponentChildren;
 }) {
@@ -48,6 +52,7 @@ export function Dialog({
       <div class="dialog-body">
         <div class="dialog-head">
           <h2 id={id}>{title}</h2>
+          <HelpLink document={about} title={title} />
           <button type="button" class="quiet square" aria-label={words.close} onClick={onClose}>
             <Icon name="close" />
           </button>

@@ -1,8 +1,10 @@
 /** As much of Markdown as our documents use: headings, paragraphs, lists, tables, code, emphasis, links. No markup passes through. */
 import type { ComponentChildren, VNode } from 'preact';
+import { idOf } from '../glossaryText.ts';
 import { Math } from './math.tsx';
 
-type LinkOf = (file: string) => (() => void) | null;
+/** What opens a file, with a place in it; null where it can't be opened. */
+type LinkOf = (file: string, place: string) => (() => void) | null;
 
 const INLINE = /`([^`]+)`|\$([^$]+)\$|\*\*([^*]+)\*\*|(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])|!?\[([^\]]*)\]\(([^)]+)\)/g;
 
@@ -31,7 +33,8 @@ function link(label: string, target: string, linkOf: LinkOf): ComponentChildren 
         {label}
       </a>
     );
-  const open = linkOf(target.split('#')[0]!.replace(/^\.\//, ''));
+  const [file = '', place = ''] = target.split('#');
+  const open = linkOf(file.replace(/^\.\//, ''), place);
   return open ? (
     <button type="button" class="link" onClick={open}>
       {label}
@@ -90,7 +93,10 @@ function list(lines: readonly string[], linkOf: LinkOf): VNode {
 function block(lines: readonly string[], linkOf: LinkOf): VNode {
   const [first = ''] = lines;
   const heading = /^(#{1,6}) (.*)/.exec(first);
-  if (heading) return heading[1]!.length === 1 ? <h3>{heading[2]}</h3> : <h4>{heading[2]}</h4>;
+  if (heading) {
+    const place = { 'data-place': idOf(heading[2]!) };
+    return heading[1]!.length === 1 ? <h3 {...place}>{heading[2]}</h3> : <h4 {...place}>{heading[2]}</h4>;
+  }
   if (first.startsWith('|')) return table(lines, linkOf);
   if (ITEM.test(first)) return list(lines, linkOf);
   return <p>{inline(lines.join(' '), linkOf)}</p>;

@@ -1,6 +1,7 @@
 /** Words of the kit's own controls. */
 export const words = {
   close: 'Close',
+  helpOn: (title: string) => `Help on ${title}`,
   differs: (name: string) => `${name} differs from the case: set it back`,
   scrub: 'Drag to change',
   handle: 'Drag to change, press for a slider',

@@ -8,10 +8,12 @@ import { Dialog } from '../kit/dialog.tsx';
 import { text } from '../words.ts';
 
 const KEYS = 'keys';
+/** The page of the help that shows `AppState.document`. */
+const DOCUMENTS = 'documents';
 
 export function HelpDialog({ onForget }: { onForget?: (() => void) | undefined }) {
   const { app, features } = useUi();
-  const [page, setPage] = useState(KEYS);
+  const [page, setPage] = useState(app.state.document.peek() === null ? KEYS : DOCUMENTS);
   const close = app.actions.closeDialog;
   const pages = features.flatMap(({ helpPages = [] }) => helpPages);
   const Body = pages.find(({ id }) => id === page)?.Body;

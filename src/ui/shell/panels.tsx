@@ -5,10 +5,12 @@ import { useRef, useState } from 'preact/hooks';
 import { text } from '../words.ts';
 import { useUi } from '../context.ts';
 import { Icon } from '../kit/controls.tsx';
+import { HelpLink } from '../kit/helpLink.tsx';
 import type { Ui } from '../context.ts';
 
 /** The one that stands at the left. */
-const usePanel = () => useUi().features.flatMap(({ id, panel }) => (panel ? [{ id, ...panel }] : []))[0];
+const usePanel = () =>
+  useUi().features.flatMap(({ id, document, panel }) => (panel ? [{ id, document, ...panel }] : []))[0];
 
 export function LeftPanel() {
   const [open, setOpen] = useState(true);
@@ -18,12 +20,17 @@ export function LeftPanel() {
     if (state.wantedField.value) setOpen(true);
   });
   if (!panel) return null;
-  const { title, Body } = panel;
+  const { title, document, Body } = panel;
   const label = open ? text.panel.fold(title) : text.panel.unfold(title);
   return (
     <aside class={`panel left${open ? '' : ' folded'}`} aria-label={title}>
       <div class="panel-head">
-        {open && <h2>{title}</h2>}
+        {open && (
+          <>
+            <h2>{title}</h2>
+            <HelpLink document={document} title={title} />
+          </>
+        )}
         <button
           type="button"
           class="quiet square"
@@ -69,7 +76,7 @@ export function Tools() {
   };
   return (
     <div class="right">
-      {useOpened(tools, open).map(({ id, title, size, Body }) => (
+      {useOpened(tools, open).map(({ id, title, document, size, Body }) => (
         <aside
           key={id}
           id={`tool-panel-${id}`}
@@ -83,6 +90,7 @@ export function Tools() {
         >
           <div class="panel-head">
             <h2>{title}</h2>
+            <HelpLink document={document} title={title} />
             <button
               type="button"
               class="quiet square"
@@ -145,7 +153,7 @@ export function Sheet() {
     const tab = document.getElementById(`tab-${current.value}`);
     if (tab) bringIntoStrip(tab);
   });
-  const bodies: { id: string; title: string; Body: ComponentType; there: boolean }[] = [
+  const bodies: { id: string; title: string; document: string | undefined; Body: ComponentType; there: boolean }[] = [
     ...(panel ? [{ ...panel, there: true }] : []),
     ...tools.map((tool) => ({ ...tool, there: opened.includes(tool) })),
   ];
@@ -162,25 +170,29 @@ export function Sheet() {
     show(next.id);
     document.getElementById(`tab-${next.id}`)?.focus();
   };
+  const shown = bodies.find(({ id }) => id === current.value);
   return (
     <section class="sheet" aria-label={text.sheet}>
-      <div class="tabs" role="tablist" onKeyDown={onKeyDown}>
-        {bodies.map(({ id, title }) => (
-          <button
-            key={id}
-            type="button"
-            role="tab"
-            id={`tab-${id}`}
-            class={id === panel?.id ? 'first' : undefined}
-            aria-selected={current.value === id}
-            aria-controls={`sheet-${id}`}
-            tabIndex={current.value === id ? 0 : -1}
-            data-testid={`tab-${id}`}
-            onClick={() => show(id)}
-          >
-            {title}
-          </button>
-        ))}
+      <div class="tab-strip">
+        <div class="tabs" role="tablist" onKeyDown={onKeyDown}>
+          {bodies.map(({ id, title }) => (
+            <button
+              key={id}
+              type="button"
+              role="tab"
+              id={`tab-${id}`}
+              class={id === panel?.id ? 'first' : undefined}
+              aria-selected={current.value === id}
+              aria-controls={`sheet-${id}`}
+              tabIndex={current.value === id ? 0 : -1}
+              data-testid={`tab-${id}`}
+              onClick={() => show(id)}
+            >
+              {title}
+            </button>
+          ))}
+        </div>
+        {shown && <HelpLink document={shown.document} title={shown.title} />}
       </div>
       {bodies.map(({ id, Body, there }) => (
         <div

@@ -2,6 +2,7 @@ import dependencies from '../../../docs/dependencies.md?raw';
 import { words } from './words.ts';
 
 declare const __RIPSTIK_VERSION__: string;
+declare const __RIPSTIK_SITE__: string;
 
 export function About() {
   return (
@@ -10,6 +11,16 @@ export function About() {
       {words.aboutParts.map((part) => (
         <p key={part}>{part}</p>
       ))}
+      <p>{words.licence}</p>
+      <p>
+        {__RIPSTIK_SITE__ ? (
+          <a href={`${__RIPSTIK_SITE__}index.html`} target="_blank" rel="noopener">
+            {words.site}
+          </a>
+        ) : (
+          words.noSite
+        )}
+      </p>
     </div>
   );
 }

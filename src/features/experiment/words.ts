@@ -138,7 +138,7 @@ export const lqrWords = {
   programNote:
     'As JSON: "sensors", "process", "seed", "actuators", "path" (docs/control.md). Applied when you leave the field.',
   programLabel: 'sensors, actuators and path of the controller, as JSON',
-  notJson: (message: string) => `This is no JSON: ${message}`,
+  notJson: (message: string) => `This is not JSON: ${message}`,
   notObject: 'An object in braces is needed.',
   unknownKeys: (names: string) => `Only sensors, process, seed, actuators and path have a place here, not ${names}.`,
   rollsFreely: (label: string, sums: string) =>

@@ -20,7 +20,7 @@ export const words = {
   formats: { json: 'JSON', junit: 'JUnit XML' },
   edit: 'The tests, as JSON',
   editNote:
-    'A patch over the scenario, a measure, bounds, and a spread by chance; docs/control.md says what may stand here.',
+    'A patch over the scenario, a measure, bounds, and random spreads; docs/control.md says what may stand here.',
   shipped: 'Those that come with the system',
-  wrong: (message: string) => `These tests can't be read: ${message}`,
+  wrong: (message: string) => `These tests can’t be read: ${message}`,
 } as const;

@@ -20,7 +20,7 @@ export const text = {
     },
     run: {
       title: 'Change and run',
-      body: 'The panel holds all that a run starts from. Every field takes a number or an expression such as pi/8; Run computes it anew.',
+      body: 'The panel holds all that a run starts from. Every field takes a number or an expression such as pi/8, and the motion follows; what takes long to compute waits for Run.',
     },
     play: {
       title: 'Watch it',

@@ -410,13 +410,20 @@ export class Builder implements Scope {
     if (model.mechanical) {
       for (const [at, { value, line }] of model.rates) {
         const v = model.v[at]!;
+        const { name } = model.coordinates[at]!;
+        for (const input of model.inputs)
+          if (name in input.column)
+            throw new DescriptionError(
+              `${name} is given by its equation on line ${line}, and no input acts on it; what drives it is an expression of t in that equation`,
+              model.names.get(input.name)!.line,
+            );
         model.inertia = graph.add(model.inertia, graph.mul(graph.number(WEIGHTLESS / 2), graph.square(v)));
         this.driven.set(at, {
           velocity: graph.sub(v, value),
           height: null,
           solve: null,
           line,
-          label: `${model.coordinates[at]!.name}' = …`,
+          label: `${name}' = …`,
         });
       }
     } else if (this.rows.length > 0 || this.driven.size > 0 || model.inputs.length > 0) {

@@ -48,6 +48,7 @@ export function equationsOf(model: Model, step: (done: number, of: number) => vo
     graph.add(graph.sub(graph.sub(slope, rates[i]!), losses[i]!), model.forces[i] ?? graph.zero),
   );
   if (model.clock !== null) h[model.clock] = graph.zero;
+  for (const i of weightlessOf(model)) h[i] = graph.zero;
   graph.work = 'the constraints';
   const sets = model.sets
     .filter(({ rows }) => rows.length > 0)
@@ -79,6 +80,34 @@ export function energiesOf({ graph, v, kinetic, potential }: Model): [kinetic: I
   const rest = graph.sub(kinetic, T0);
   const moving = graph.sum(momenta.map((p, i) => graph.mul(v[i]!, p)));
   return [graph.sub(moving, rest), graph.sub(potential, T0)];
+}
+
+/**
+ * What is put in from outside, W, but for what constraints that move put in: forces of statements, and what moves whatever is
+ * given by t or by an equation of first order, v (p' - dL/dq + dR/dv). The energies change by it, and by what R takes.
+ *
+ * @param model what was read of a description
+ * @param a nodes of the accelerations
+ * @returns null where nothing is
+ */
+export function outsidePowerOf(model: Model, a: readonly Id[]): Id | null {
+  const { graph, q, v, clock, kinetic, potential, loss, forces } = model;
+  const weightless = weightlessOf(model);
+  const parts = forces
+    .map((force, i) => (weightless.includes(i) ? graph.zero : graph.mul(force ?? graph.zero, v[i]!)))
+    .filter((part) => part !== graph.zero);
+  const moved = clock === null ? weightless : [clock, ...weightless];
+  graph.work = 'the work of what moves';
+  const L = graph.sub(kinetic, potential);
+  const seed = new Map([...q.map((id, i) => [id, v[i]!] as const), ...v.map((id, i) => [id, a[i]!] as const)]);
+  const momenta = moved.map((i) => graph.gradient(kinetic, [v[i]!])[0]!);
+  const rates = graph.forward(momenta, seed);
+  moved.forEach((i, k) => {
+    const [slope] = graph.gradient(L, [q[i]!]) as [Id];
+    const [lost] = graph.gradient(loss, [v[i]!]) as [Id];
+    parts.push(graph.mul(v[i]!, graph.add(graph.sub(rates[k]!, slope), lost)));
+  });
+  return parts.length > 0 ? graph.sum(parts) : null;
 }
 
 /** The degree of an expression that is homogeneous in some variables, as far as its operations tell; null for any other. */
@@ -119,6 +148,18 @@ function degreeOf(graph: Graph, root: Id, variables: ReadonlySet<Id>): number | 
     degrees.set(i, degree);
   }
   return of(root);
+}
+
+/**
+ * Coordinates of first order that carry no inertia of their own. What would act on them is left out: their equation alone says
+ * how they go, and a reaction to it would act on all whose rates stand in it.
+ *
+ * @param model what was read of a description
+ */
+export function weightlessOf({ graph, kinetic, rates, v, mechanical }: Model): number[] {
+  if (!mechanical || rates.size === 0) return [];
+  const inside = new Set(graph.reach([kinetic]));
+  return [...rates.keys()].filter((i) => !inside.has(v[i]!));
 }
 
 /**

@@ -2,7 +2,7 @@
 import type { ConstraintSet, ConstraintSetMeta, ContactMeta, System, SystemMeta, SystemView } from '../model/system.ts';
 import { checkEquations, solvedFor } from './checks.ts';
 import { timeFormulas } from './timeFormulas.ts';
-import { energiesOf, equationsOf, jacobianOf, type Equations } from './derive.ts';
+import { energiesOf, equationsOf, jacobianOf, outsidePowerOf, type Equations } from './derive.ts';
 import { directOf } from './direct.ts';
 import { meshOf } from './drawing.ts';
 import { MOST_NODES, type Id } from './graph.ts';
@@ -59,6 +59,7 @@ function metaOf(model: Model, id: string): SystemMeta {
         ...(mesh === null ? {} : { model: mesh }),
       };
     }),
+    ...(model.loss === model.graph.zero ? {} : { losses: true as const }),
     ...(model.shown.length > 0 ? { shown: model.shown } : {}),
     ...(model.events.length > 0
       ? { events: model.events.map((event) => ({ id: event.id, label: event.label, sets: event.sets })) }
@@ -127,7 +128,22 @@ export function systemOf(model: Model, view: SystemView, { step }: DeriveOptions
       equations.sets.map((set, k) => [set.id, constraintSet(model, view.meta, equations, k, a)]),
     ),
     ...(model.clock === null ? {} : { clock: model.clock, timeFormulas: timeFormulas(model, resultsOf(equations)) }),
+    ...outsidePower(model, a),
     ...crossings(model),
+  };
+}
+
+function outsidePower(model: Model, a: readonly Id[]): Pick<System, 'outsidePower'> {
+  if (model.clock === null && !model.forces.some((force) => force !== undefined && force !== model.graph.zero))
+    return {};
+  const { q, v, p } = model;
+  const power = lazy(model, () => [{ q, v, a, p }, { out: [outsidePowerOf(model, a) ?? model.graph.zero] }]);
+  const out = new Float64Array(1);
+  return {
+    outsidePower(...state) {
+      power(...state, out);
+      return out[0]!;
+    },
   };
 }
 

@@ -197,6 +197,8 @@ export interface SystemMeta {
    * start on, and nothing acts on it.
    */
   clock?: string;
+  /** Something in it takes energy, whatever its parameters are called. */
+  losses?: true;
   /** Names of coordinates, rates, parameters and inputs that the panel shows first; in no order of importance where left out. */
   shown?: readonly string[];
   /** Functions of the state that end a run by falling through zero, under some constraint sets or (where empty) all. */
@@ -349,6 +351,11 @@ export interface System extends SystemView {
   }[];
   /** Index of the coordinate that is the time; see the meta. */
   clock?: number;
+  /**
+   * W that forces of the system itself and whatever moves what is given by the time put in, where there are such. What constraints
+   * that move put in comes to it: -lambda times the clock's column of Omega.
+   */
+  outsidePower?(q: Float64Array, v: Float64Array, a: Float64Array, p: Float64Array): number;
   /**
    * What the equations hold of the time alone, so that steps don't pass over what it does.
    * @param p parameters

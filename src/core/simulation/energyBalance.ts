@@ -6,17 +6,20 @@ import type { Forcing } from '../mechanics/forcing.ts';
  */
 const AT_REST = 1e-10;
 
+/** W at a time and state. */
+export type Power = (t: number, q: Float64Array, v: Float64Array) => number;
+
 /** What energy did over a motion. */
 export interface EnergyNumbers {
   /**
-   * (E - E at the start) / largest kinetic energy so far; null for a system at rest, and for one with a clock, whose drives put
-   * in what is not counted: there that means nothing.
+   * (E - E at the start) / largest kinetic energy so far, of a system that is driven (E - E at the start - work); null for a
+   * system at rest: there that means nothing.
    */
   energyDrift: number | null;
   /** E - E at the start, J. */
   energyChange: number;
   /**
-   * What inputs, controllers and pushes put in, J; null where nothing acts. `energyChange - work` is what dampers took and what
+   * What inputs, controllers, pushes, drives and forces of a description put in, J; null where nothing acts. `energyChange - work` is what dampers took and what
    * the method lost.
    */
   work: number | null;
@@ -34,16 +37,16 @@ export class EnergyBalance {
   private largestSize = 0;
   private work = 0;
   private readonly forcing: Forcing | null;
-  private readonly driven: boolean;
+  private readonly power: Power | null;
   private readonly force: Float64Array;
 
   /**
    * @param n coordinates
-   * @param driven what drives the system puts in energy that is not counted
+   * @param power what the system's own forces and drives put in, W
    */
-  constructor(forcing: Forcing | null, n: number, driven = false) {
+  constructor(forcing: Forcing | null, n: number, power: Power | null = null) {
     this.forcing = forcing;
-    this.driven = driven;
+    this.power = power;
     this.force = new Float64Array(n);
   }
 
@@ -58,13 +61,13 @@ export class EnergyBalance {
   /** Adds the work over a step. @param at puts the state at a time into q and v */
   step(from: number, to: number, q: Float64Array, v: Float64Array, at: (t: number) => void): void {
     const { forcing, force } = this;
-    if (!forcing) return;
+    if (!forcing && !this.power) return;
     for (let k = 0; k < NODES.length; k++) {
       const t = from + NODES[k]! * (to - from);
       at(t);
       force.fill(0);
-      forcing(t, q, v, force);
-      let power = 0;
+      forcing?.(t, q, v, force);
+      let power = this.power?.(t, q, v) ?? 0;
       for (let i = 0; i < force.length; i++) power += force[i]! * v[i]!;
       this.work += WEIGHTS[k]! * (to - from) * power;
     }
@@ -72,10 +75,11 @@ export class EnergyBalance {
 
   get numbers(): EnergyNumbers {
     const energyChange = this.energy - this.start;
+    const lost = this.power ? energyChange - this.work : energyChange;
     return {
-      energyDrift: this.driven ? null : driftOf(energyChange, this.largestKinetic, this.largestSize),
+      energyDrift: driftOf(lost, this.largestKinetic, this.largestSize),
       energyChange,
-      work: this.forcing ? this.work : null,
+      work: this.forcing || this.power ? this.work : null,
     };
   }
 }

@@ -4,7 +4,7 @@ import { AttitudeCharts } from '../mechanics/attitudeCharts.ts';
 import { consistentStart, type StartAdjustment } from '../mechanics/consistentStart.ts';
 import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
-import { EnergyBalance, type EnergyNumbers } from './energyBalance.ts';
+import { EnergyBalance, type EnergyNumbers, type Power } from './energyBalance.ts';
 import { planOfTime, sightOf, type InputPlan, type PlanOptions } from './inputPlan.ts';
 import { dipBetween } from './dip.ts';
 import { failureMessage } from './failureMessage.ts';
@@ -196,7 +196,7 @@ export class Simulation {
     this.coming = [...(pushes ?? [])].reverse();
     const forced = ({ forcing }: Actuation): Forcing | null =>
       this.hand ? together(forcing, this.hand.forcing) : forcing;
-    this.balance = new EnergyBalance(forced(stepped), n, system.clock !== undefined);
+    this.balance = new EnergyBalance(forced(stepped), n, this.outsidePower());
     this.charts = AttitudeCharts.of(system, parameters, scenario.constraints, hold);
     this.dynamics = new ConstrainedSystem(
       this.charts?.system ?? system,
@@ -264,7 +264,7 @@ export class Simulation {
     this.notes = [...start.notes, ...this.engineNotes()];
     this.q.set(start.q);
     this.v.set(start.v);
-    this.balance = new EnergyBalance(null, this.n);
+    this.balance = new EnergyBalance(null, this.n, this.outsidePower());
     Object.assign(this.earlier, zeroCounters());
     this.end = null;
     this.horizon = Infinity;
@@ -486,6 +486,20 @@ export class Simulation {
     stepper.reset(t, y);
     this.formulation.toState(y, this.endQ, this.endV);
     this.dynamics.forget();
+  }
+
+  /** What drives and forces of the system itself put in, W. */
+  private outsidePower(): Power | null {
+    const { system, n } = this;
+    if (!system.outsidePower) return null;
+    const a = new Float64Array(n);
+    return (t, q, v) => {
+      const { rowDynamics: dynamics, lambda } = this;
+      if (system.clock !== undefined && !dynamics.acceleration(t, q, v, a, lambda)) return NaN;
+      let power = system.outsidePower!(q, v, a, dynamics.parameters);
+      if (system.clock !== undefined) for (let r = 0; r < dynamics.m; r++) power -= lambda[r]! * dynamics.drift[r]!;
+      return power;
+    };
   }
 
   private addWork(until: number): void {

@@ -60,6 +60,7 @@ function isDriven(motion: Motion | null): boolean {
   return (
     scenario.control !== null ||
     Object.keys(scenario.inputs).length > 0 ||
+    motion.system.meta.losses === true ||
     losses.some(({ name }) => (scenario.parameters[name] ?? 0) > 0)
   );
 }
@@ -68,7 +69,7 @@ function isDriven(motion: Motion | null): boolean {
 function Energy({ numbers, driven }: { numbers: (EnergyFacts & { work?: number | null }) | null; driven: boolean }) {
   const words = text.status;
   const joules = (x: number) => <b data-testid="energy">{`${formatPower(x)}${THIN}J`}</b>;
-  if (driven && numbers) {
+  if (numbers && (driven || (numbers.work ?? null) !== null)) {
     const { work = null, energyChange } = numbers;
     return work === null ? (
       <span title={words.energyChangeTitle}>

@@ -142,6 +142,11 @@ test('a name that is used above its line, and gravity by another name, are told'
   ]);
 });
 
+test('an input on what an equation of first order gives is refused', () => {
+  const text = "coordinate x, i\nkinetic x'^2\ni' = -i\ninput u on i";
+  expect(faultsOf(text)).toEqual([expect.stringMatching(/^line 4, column 1: i is given by its equation on line 3/)]);
+});
+
 test('every line has its own fault, and what misses a name of a wrong line has none', () => {
   const text = "coordinate x\nparameter a = 1/0\nkinetic 1/2 a x'^2\npotential b x\nspring 1 on";
   expect(readSystem(text).faults.map(({ line }) => line)).toEqual([2, 4, 5]);

@@ -39,7 +39,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     },
   },
   kapitza: {
-    plan: { duration: 0.2, gains: true },
+    plan: { duration: 0.2 },
     known(walked) {
       // Shaken so, upright is a rest: slowly it swings with w² = A² w² / (2 l²) - g / l.
       const slow = Math.sqrt((0.003 * 1200) ** 2 / (2 * 0.3 ** 2) - g / 0.3);
@@ -69,7 +69,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     plan: {
       initial: { x_dot: 1, phi: 0.1, s_dot: 0.1 },
       at: { x_dot: 2 },
-      gains: true,
+      loses: true,
       lqr: {
         inputs: ['tau_phi', 'f_s'],
         Q: { theta: 1, y: 1, s: 1, phi: 1 },
@@ -79,7 +79,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     },
   },
   snake: {
-    plan: { duration: 2, gains: true },
+    plan: { duration: 2 },
     known(walked) {
       // Every skate rolls: the rates follow from the joints alone, here asked of the constraints at the end.
       const { end } = again(walked);
@@ -123,7 +123,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     },
   },
   hoop: {
-    plan: { duration: 1, gains: true },
+    plan: { duration: 1 },
     known(walked) {
       const theta = Math.acos(g / (0.2 * 12 ** 2));
       const { end } = again(walked, { initial: { theta }, duration: 3 });
@@ -177,7 +177,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     },
   },
   'ball-turntable': {
-    plan: { initial: { yaw: 0.1 }, gains: true, duration: 1 },
+    plan: { initial: { yaw: 0.1 }, duration: 1 },
     known(walked) {
       // Its centre goes in a circle, 2/7 as fast as the table turns.
       const { end } = again(walked, { initial: { x_dot: 0.1, y_dot: 0.9 }, duration: 1.5 });
@@ -211,7 +211,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
     },
   },
   governor: {
-    plan: { initial: { phi_dot: 9 }, gains: true, at: { phi_dot: 9, beta: 'acos(9.81/(81*0.2))' } },
+    plan: { initial: { phi_dot: 9 }, loses: true, at: { phi_dot: 9, beta: 'acos(9.81/(81*0.2))' } },
   },
   fourbar: {
     plan: { initial: { a_dot: 4 }, duration: 1 },
@@ -227,7 +227,7 @@ export const strangers: Readonly<Record<string, Stranger>> = {
   rattleback: { plan: { initial: { yaw_dot: -5, roll: 0.01, pitch: 0.02 }, duration: 1, at: {} } },
   slider: {
     plan: {
-      gains: true,
+      loses: true,
       ends: 'back',
       at: { x: 0 },
       lqr: { inputs: ['f'], from: { x: -0.1 }, holds: ['x'] },
@@ -287,9 +287,9 @@ export const strangers: Readonly<Record<string, Stranger>> = {
       },
     },
   },
-  motor: { plan: { gains: true, duration: 0.5 } },
+  motor: { plan: { loses: true, duration: 0.5 } },
   roller: {
-    plan: { gains: true },
+    plan: {},
     known(walked) {
       // The rope pulls at twice the radius: (m + I/r²) a = m g sin(slope) - 2 F.
       const { end } = again(walked);

@@ -71,6 +71,41 @@ test('a driven cart: the multiplier is the force that drives it', () => {
   }
 });
 
+test.each([
+  ['a drive', "coordinate x, y\nkinetic x'^2 + y'^2\nspring 20 on x - y\ndrive x = 0.1 sin(3 t) + 0.2 t^2", {}],
+  [
+    'a frame turned by t',
+    'coordinate s = 0.2\nframe f = world turned z 3 t\nbody b mass 2 at f(s, 0, 0)\nspring 50 on s',
+    {},
+  ],
+  ['a weight that changes', "coordinate x = 1\nkinetic x'^2\npotential (3 + sin(5 t)) x^2", {}],
+  [
+    'a moving belt',
+    "coordinate x\ncoordinate phi [rad]\nkinetic x'^2 + 0.1 phi'^2\nspring 9 on x\nvelocity x' + 0.3 phi' = 0.2 + sin(t)",
+    {},
+  ],
+  ['a force by t', "coordinate x\nkinetic x'^2\nspring 30 on x\nforce 2 sin(4 t) on x", {}],
+  [
+    'a force and an input',
+    "coordinate x\nkinetic x'^2\nforce 2 - x' on x\ninput u on x",
+    { inputs: { u: 'sin(3 t)' } },
+  ],
+  [
+    'a length of first order',
+    "coordinate x = 0.1\ncoordinate l = 1\nkinetic x'^2\nspring 40 on x - l\nl' = cos(2 t) - x",
+    {},
+  ],
+])('what %s puts in is the work that is told', (_, text, raw) => {
+  const system = systemFrom(text);
+  const method = { name: 'gauss', stages: 4, rtol: 1e-11, atol: 1e-13 };
+  const simulation = new Simulation(scenarioOf(system, { duration: 2, method, ...raw }), system);
+  while (!simulation.end) simulation.advance(() => false);
+  const { energyDrift, energyChange, work } = simulation.counts;
+  expect(Math.abs(energyChange)).toBeGreaterThan(1e-3);
+  expect(Math.abs(energyChange - work!)).toBeLessThan(1e-8 * Math.abs(energyChange));
+  expect(Math.abs(energyDrift!)).toBeLessThan(1e-8);
+});
+
 test('a start at a later time starts every drive at its phase', () => {
   const system = systemFrom("coordinate x\nkinetic 1/2 x'^2\ndrive x = sin(t)");
   const end = ends(system, { duration: 1, initial: { clock: 2 } });
@@ -98,6 +133,22 @@ test('a motor: first order beside a body, as by hand', () => {
   for (const formulation of ['multipliers', 'nullspace-qr', 'blt']) {
     const end = ends(system, { duration: t, method: { name: 'dop853', formulation, rtol: 1e-11, atol: 1e-13 } });
     expect(end['phi_dot']).toBeCloseTo(w, 8);
+  }
+});
+
+test('first order beside bodies gives way to nothing that acts on it', () => {
+  const system = systemFrom("coordinate x = 0.1\ncoordinate l = 1\nkinetic x'^2\nspring 40 on x - l\nl' = 1 - x");
+  for (const method of [{ name: 'dopri5' }, { name: 'gauss', stages: 4 }, { name: 'dop853', formulation: 'blt' }]) {
+    const end = ends(system, { duration: 0.3, method: { ...method, rtol: 1e-11, atol: 1e-13 } });
+    // x''' = 20 (1 - x - x'): the same as one equation of third order, by its own series in t.
+    let [a, b, c] = [0.1, 0, 20 * (1 - 0.1)];
+    let [x, factor] = [0, 1];
+    for (let k = 0; k < 40; k++) {
+      x += a * factor;
+      factor *= 0.3 / (k + 1);
+      [a, b, c] = [b, c, 20 * ((k === 0 ? 1 : 0) - a - b)];
+    }
+    expect(end['x']).toBeCloseTo(x, 9);
   }
 });
 

@@ -29,8 +29,8 @@ export interface Plan {
   ends?: string;
   /** The parameter over which roots go, where it is not the first; null: the steady motion is another for every value. */
   locus?: string | null;
-  /** Losses, or what drives it: the energy changes. */
-  gains?: true;
+  /** Dampers take energy, which no balance counts. */
+  loses?: true;
   parameters?: Record<string, number>;
 }
 
@@ -118,7 +118,7 @@ export async function walk(id: string, text: string, plan: Plan): Promise<Walked
     const { energyDrift, energyChange, work } = best.counts;
     told['drift'] = energyDrift ?? 'none';
     if (work !== null) told['unbalanced'] = energyChange - work;
-    if (!plan.gains && energyDrift !== null && !(Math.abs(energyDrift) < 1e-9)) wrong.push(`drift ${energyDrift}`);
+    if (!plan.loses && energyDrift !== null && !(Math.abs(energyDrift) < 1e-9)) wrong.push(`drift ${energyDrift}`);
     const states = meta.coordinates.map(({ name }) => name);
     const { duration: _, ...others } = file;
     const short = { ...others, duration: duration / 10 };

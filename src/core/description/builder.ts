@@ -93,10 +93,17 @@ export class Builder implements Scope {
     return this.later.get(name) ?? 0;
   }
 
+  inputOn(name: string): number {
+    const known = this.model.names.get(name);
+    return known?.kind === 'input' ? known.line : 0;
+  }
+
   /** Looks over all lines for what they define, for those who use a name above its line. */
   foresee(lines: readonly string[]): void {
     for (const [k, line] of lines.entries()) {
-      const found = /^\s*(?:(?:coordinate|parameter|frame|point)\s+([A-Za-z_][\w\s,]*)|([A-Za-z_]\w*)\s*=)/.exec(line);
+      const found = /^\s*(?:(?:coordinate|parameter|frame|point|input)\s+([A-Za-z_][\w\s,]*)|([A-Za-z_]\w*)\s*=)/.exec(
+        line,
+      );
       for (const name of (found?.[1] ?? found?.[2] ?? '').split(',').map((part) => part.trim()))
         if (name && !this.later.has(name)) this.later.set(name, k + 1);
     }

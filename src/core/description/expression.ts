@@ -27,6 +27,8 @@ export interface Scope {
   names(): Iterable<string>;
   /** The line that defines a name, wherever it stands; 0 where none does. */
   definedOn(name: string): number;
+  /** The line of the input of this name, up to here; 0 where there is none. */
+  inputOn(name: string): number;
   /** d/dt. @throws Error with what is wrong where the expression has rates in it */
   rate(ids: readonly Id[]): Id[];
 }
@@ -361,7 +363,19 @@ export class Reader {
     if (value) {
       return value;
     }
+    const input = this.scope.inputOn(token.text);
+    if (input > 0)
+      this.fail(
+        `"${token.text}" is the input of line ${input}: it acts on what that line says, and stands in no formula`,
+        token,
+      );
     const constant = constants.get(token.text);
+    const later = this.scope.definedOn(token.text);
+    if (constant !== undefined && later >= this.line)
+      this.fail(
+        `"${token.text}" is declared on line ${later}, which has to stand above this one; the number is written out`,
+        token,
+      );
     if (constant !== undefined) return { kind: 'scalar', id: graph.number(constant) };
     const [owner, part, component] = token.text.split('.');
     if (component !== undefined) return this.ofAxis(this.componentOf(owner!, part!, token), component, token);

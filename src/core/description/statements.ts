@@ -3,7 +3,6 @@
  * has to be defined above the line that uses it. docs/own-systems.md teaches the language.
  */
 import { several, unary } from '../scenario/expressions/functions.ts';
-import { constants } from '../scenario/expressions/plainText.ts';
 import { checkUnit, isAngleUnit } from './units.ts';
 import { dot, turned, type Frame, type Reader, type Vector } from './expression.ts';
 import type { Id } from './graph.ts';
@@ -20,7 +19,15 @@ export interface Statement {
 }
 
 const NAME = /^[A-Za-z_]\w*$/;
-const RESERVED = new Set(['t', 'clock', 'world', ...constants.keys()]);
+/** Names that mean one thing everywhere; `tau` and `e` are what a description declares, where it does. */
+const RESERVED = new Map([
+  ['t', 'is the time'],
+  ['clock', 'is the time, as a coordinate'],
+  ['world', 'is the frame that stands still'],
+  ['pi', 'is 3.14159… in every formula; leave this line out'],
+  ['deg', 'is a unit in every formula'],
+  ['rad', 'is a unit in every formula'],
+]);
 
 /** A name that is new here. */
 function newName(r: Reader, b: Builder, what: string): LineToken {
@@ -28,8 +35,9 @@ function newName(r: Reader, b: Builder, what: string): LineToken {
   if (!NAME.test(token.text)) r.fail(`"${token.text}" is no name: letters, digits and _`, token);
   if (token.text.length > 40) r.fail('a name has at most 40 characters', token);
   if (token.text.endsWith('_dot')) r.fail(`"${token.text}" is the rate of ${token.text.slice(0, -4)}`, token);
-  if (RESERVED.has(token.text) || unary.has(token.text) || several.has(token.text) || token.text in {})
-    r.fail(`"${token.text}" is taken by the language`, token);
+  const isFunction = unary.has(token.text) || several.has(token.text) || token.text in {};
+  const meaning = RESERVED.get(token.text) ?? (isFunction ? 'is a function' : null);
+  if (meaning) r.fail(`"${token.text}" ${meaning}${meaning.includes(';') ? '' : '; take another name'}`, token);
   const known = b.model.names.get(token.text);
   if (known) r.fail(`"${token.text}" is already the ${known.kind} of line ${known.line}`, token);
   return token;

@@ -24,8 +24,9 @@ const STANDARD_GRAVITY = 9.81;
  * Extra columns that the measures need of a run.
  *
  * @param measures of the sweep
+ * @param inputs of the system, which may have any name
  */
-export function extrasFor(measures: readonly SweepMeasure[]): string[] {
+export function extrasFor(measures: readonly SweepMeasure[], inputs: readonly { name: string }[] = []): string[] {
   const columns = measures.flatMap((m) => ('column' in m ? [m.column] : []));
   const extras: string[] = [];
   if (columns.some((c) => /^lambda_/.test(c))) extras.push('lambda');
@@ -34,7 +35,7 @@ export function extrasFor(measures: readonly SweepMeasure[]): string[] {
   // What is neither of these nor a state is an input.
   if (
     measures.some(({ kind }) => kind === 'work' || kind === 'costOfTransport') ||
-    columns.some((c) => /^(tau|f)_/.test(c))
+    columns.some((c) => /^(tau|f)_/.test(c) || inputs.some(({ name }) => name === c))
   )
     extras.push('inputs');
   return extras;

@@ -47,7 +47,7 @@ export function reduceRun(
 ): Reduced {
   const scenario = needsRows(measures, system.meta) ? checked : { ...checked, outputStep: checked.duration };
   const from = now();
-  const simulation = runs.next(scenario, system, { extras: extrasFor(measures), feedback });
+  const simulation = runs.next(scenario, system, { extras: extrasFor(measures, system.meta.inputs), feedback });
   const measurer = new RunMeasurer(system, scenario.parameters, simulation.columns, measures, simulation.q);
   const take = (): void => {
     const { columns, rows } = simulation.takeChunk();

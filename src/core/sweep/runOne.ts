@@ -68,7 +68,10 @@ export function checkMeasures(study: Study, system: System, systems: Readonly<Re
   let columns: readonly string[];
   const scenario = checkScenario(study.scenario(0), systems);
   try {
-    columns = new Simulation(scenario, system, { extras: extrasFor(study.measures), feedback: null }).columns;
+    columns = new Simulation(scenario, system, {
+      extras: extrasFor(study.measures, system.meta.inputs),
+      feedback: null,
+    }).columns;
   } catch {
     return; // This run alone has no start: its row says so.
   }

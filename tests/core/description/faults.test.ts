@@ -88,7 +88,7 @@ describe.each([
   ['a number for a point', 'point P = 3', /a point or vector is expected here, not a scalar$/],
   ['two components', 'point P = (1, 2)', /a vector has three components, not 2$/],
   ['a name twice', 'parameter m = 2', /^line 5, column 11: "m" is already the parameter of line 2$/],
-  ['a name of the language', 'parameter sin = 2', /"sin" is taken by the language$/],
+  ['a name of the language', 'parameter sin = 2', /"sin" is a function; take another name$/],
   ['a rate as a name', 'parameter m_dot = 2', /"m_dot" is the rate of m$/],
   ['an acceleration', "loss rate(theta')^2", /this has a rate in it, and the rate of a rate is an acceleration/],
   ['a rate in a potential', "potential theta'", /this may have no rates in it/],
@@ -140,6 +140,21 @@ test('a name that is used above its line, and gravity by another name, are told'
   expect(faultsOf("coordinate x\nkinetic -x'^2")).toEqual([
     expect.stringMatching(/^line 1, .*kinetic energy of x is negative/),
   ]);
+});
+
+test('tau and e are what a description declares, from there on; pi, t and units stay', () => {
+  const text = 'coordinate tau [rad]\nparameter e = 3\nkinetic 1/2 e tau_dot^2\nA = 2 pi';
+  const { model } = readSystem(text);
+  expect(model!.graph.depends(model!.kinetic, new Set([model!.p[0]!]))).toBe(true);
+  expect(faultsOf(`${text}\ninput tau2 on tau\npotential e cos(tau)`)).toEqual([]);
+  expect(faultsOf('A = 2 tau\ncoordinate tau\nkinetic tau_dot^2')).toEqual([
+    expect.stringMatching(/^line 1, column 7: "tau" is declared on line 2, which has to stand above this one/),
+  ]);
+  expect(faultsOf(`${PENDULUM}input tau on theta\npotential tau theta`)).toEqual([
+    expect.stringMatching(/^line 6, column 11: "tau" is the input of line 5/),
+  ]);
+  expect(faultsOf(`${PENDULUM}parameter pi = 3`)).toEqual([expect.stringMatching(/leave this line out$/)]);
+  expect(faultsOf(`${PENDULUM}parameter t = 3`)).toEqual([expect.stringMatching(/is the time; take another name$/)]);
 });
 
 test('an input on what an equation of first order gives is refused', () => {

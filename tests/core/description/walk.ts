@@ -218,13 +218,13 @@ export async function walk(id: string, text: string, plan: Plan): Promise<Walked
           version: 1,
           scenario: { ...file, duration: duration / 10 },
           vary: { [`parameters.${parameter.name}`]: { grid: [0.9 * value, 1.1 * value, 3] } },
-          measures: [`final.${meta.coordinates[0]!.name}`, 'drift', 'residual'],
+          measures: [`final.${meta.coordinates[0]!.name}`, 'drift', ...meta.inputs.map(({ name }) => `max.${name}`)],
         },
         systemMetas,
       );
       for (let k = 0; k < 3; k++) {
         const row = runOne(study, k, system, systemMetas, feedbackOf);
-        if (row.reason === 'refused' || !Number.isFinite(row.measures[0]))
+        if (row.reason === 'refused' || [row.measures[0], ...row.measures.slice(2)].some((x) => !Number.isFinite(x)))
           wrong.push(`sweep: ${row.reason} ${row.message}`);
       }
     });

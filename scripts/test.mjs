@@ -40,7 +40,9 @@ async function buildStage() {
   const removal = await run(process.execPath, [join(root, 'scripts/without-feature.mjs'), 'compare'], SHOW);
   const packed = await run(process.execPath, [join(root, 'scripts/package.mjs')], SHOW);
   const tried = packed.code === 0 ? await run(process.execPath, [join(root, 'scripts/try-package.mjs')], SHOW) : packed;
-  return { ok: code === 0 && removal.code === 0 && tried.code === 0 };
+  const commands =
+    packed.code === 0 ? await run(process.execPath, [join(root, 'scripts/try-commands.mjs')], SHOW) : packed;
+  return { ok: [code, removal.code, tried.code, commands.code].every((status) => status === 0) };
 }
 
 async function browserStage(further) {

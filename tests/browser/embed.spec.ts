@@ -1,4 +1,5 @@
 /** A page of another origin shows the stage in a frame, and speaks to it. */
+import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { expect, test } from '@playwright/test';
@@ -53,5 +54,26 @@ ask = (message) => document.getElementById('lab').contentWindow.postMessage({ ri
   await expect(lab.getByTestId('plot-pane')).toHaveCount(1);
   expect((await answer({ id: 6, type: 'set', path: 'initial.tehta', value: 1 })).message).toContain('tehta');
   expect(new Set((await said()).map(({ origin }) => origin))).toEqual(new Set([home]));
+  server.close();
+});
+
+test('the example of docs/embedding.md, as it is written but for the two addresses', async ({ page, baseURL }) => {
+  const [, example] = /<!-- example: embedding -->\n```html\n([^]*?)```/.exec(
+    readFileSync('docs/embedding.md', 'utf8'),
+  )!;
+  const server = createServer((_, response) => {
+    const own = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
+    const text = example!
+      .replaceAll('https://lab.example.org/', baseURL!)
+      .replaceAll('https://lab.example.org', new URL(baseURL!).origin)
+      .replaceAll('https://lms.example.org', own);
+    response.setHeader('Content-Type', 'text/html').end(`<!doctype html><title>Course</title>${text}`);
+  });
+  await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}`);
+  await expect(page.locator('#end')).toHaveText('end at 5 s');
+  await page.evaluate(() => ((document.getElementById('end') as HTMLOutputElement).value = ''));
+  await page.locator('#angle').fill('-60');
+  await expect(page.locator('#end')).toHaveText('end at 5 s');
   server.close();
 });

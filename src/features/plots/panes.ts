@@ -75,10 +75,13 @@ function ofData({ system, trajectory }: Motion): PlotPane[] {
 function general(motion: Motion): PlotPane[] {
   const { system, trajectory } = motion;
   if (system.meta.id === DATA) return ofData(motion);
-  const { coordinates, order } = system.meta;
+  const { meta } = system;
+  const coordinates = meta.coordinates.filter(({ name }) => name !== meta.clock);
+  if (meta.order === 1 && !meta.shown) return [{ title: text.names.state, x: 't', y: coordinates.map((c) => c.name) }];
+  const shown = ofShown(motion);
+  if (shown.length > 0) return shown;
   const angles = coordinates.filter((c) => c.kind === 'angle').map((c) => c.name);
   const lengths = coordinates.filter((c) => c.kind === 'length').map((c) => c.name);
-  if (order === 1) return [{ title: text.names.state, x: 't', y: coordinates.map((c) => c.name) }];
   const rates = angles.map((name) => `${name}_dot`).filter((name) => trajectory.has(name));
   return [
     { title: text.names.angles, x: 't', y: angles },
@@ -87,6 +90,24 @@ function general(motion: Motion): PlotPane[] {
       : [{ title: text.names.positions, x: 't', y: lengths }]),
     { title: text.names.rates, x: 't', y: rates },
   ].filter((pane) => pane.y.length > 0);
+}
+
+/** What a description says is to be shown: curves of one kind in one plot, in its order; the path where it goes over the ground. */
+function ofShown({ system: { meta }, trajectory }: Motion): PlotPane[] {
+  const names = (meta.shown ?? []).map((name) => name.replace(/'$/, '_dot')).filter((name) => trajectory.has(name));
+  const kindOf = (name: string): keyof typeof text.names | null => {
+    const coordinate = meta.coordinates.find((c) => c.name === name.replace(/_dot$/, ''));
+    if (!coordinate) return null;
+    if (meta.order === 1) return 'state';
+    return name.endsWith('_dot') ? 'rates' : coordinate.kind === 'angle' ? 'angles' : 'positions';
+  };
+  const kinds = [...new Set(names.map(kindOf))].filter((kind) => kind !== null);
+  const ground = groundCoordinates(meta);
+  const path = ground.length === 2 && ground.every((name) => names.includes(name));
+  return [
+    ...kinds.map((kind) => ({ title: text.names[kind], x: 't', y: names.filter((name) => kindOf(name) === kind) })),
+    ...(path ? [{ title: text.names.path, x: ground[0]!, y: [ground[1]!], equal: true }] : []),
+  ];
 }
 
 export interface Preset {

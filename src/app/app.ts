@@ -129,7 +129,7 @@ export interface AppActions
     StageLayoutActions,
     DialogActions,
     MessageActions,
-    Pick<FileActions, 'setLoading' | 'setMeshes'> {}
+    Pick<FileActions, 'setLoading' | 'setMeshes' | 'setLesson'> {}
 
 export interface AppEvents {
   draftEdited: AppEvent<DraftEdit>;

@@ -198,6 +198,7 @@ export function createApp(compute: Compute, preferences: Preferences, comparison
     stepRows: byHand(stepRows),
     setLoading: fileState.actions.setLoading,
     setMeshes: fileState.actions.setMeshes,
+    setLesson: fileState.actions.setLesson,
     start: () => runs.run(!preferences.reducedMotion, true),
     run() {
       const wrong = [...state.refusedFields.peek().keys(), ...draftErrors.peek().keys()][0];

@@ -2,7 +2,7 @@
 export const fileText = {
   refused: 'The file named in the address was not opened',
   sameOrigin: (what: string) => `\u201c${what}\u201d: only a path beside this page, such as data/ride.csv, is fetched`,
-  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt, .json or .parquet file`,
+  ending: (what: string) => `\u201c${what}\u201d: expected a .csv, .txt, .json, .parquet or .md file`,
   answered: (status: number) => `the server answered ${status}`,
   page: 'the server answered with a page, not a file',
   large: (mb: number) => `it is larger than the ${mb} MB this page reads`,

@@ -8,7 +8,7 @@ const LARGEST_FETCHED = 400e6;
 /**
  * The address that a `?file=` stands for.
  * @param page address of the page
- * @throws Error for anything but a relative path to a .csv, .txt, .json or .parquet of the page's own origin
+ * @throws Error for anything but a relative path to a .csv, .txt, .json, .parquet or .md of the page's own origin
  */
 export function fileAddress(file: string, page: string): URL {
   const shown = file.length > 80 ? `${file.slice(0, 79)}…` : file;
@@ -23,7 +23,7 @@ export function fileAddress(file: string, page: string): URL {
   }
   if (address.origin !== here.origin || address.username !== '' || address.password !== '')
     throw new Error(text.sameOrigin(shown));
-  if (!/\.(csv|txt|json|parquet)$/i.test(address.pathname)) throw new Error(text.ending(shown));
+  if (!/\.(csv|txt|json|parquet|md)$/i.test(address.pathname)) throw new Error(text.ending(shown));
   address.hash = '';
   return address;
 }

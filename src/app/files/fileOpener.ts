@@ -133,6 +133,7 @@ export class FileOpener {
           `${(file.size / 1e6).toFixed(0)} MB is more than the ${most / 1e6} MB this page reads${isScenario ? ' of a scenario' : '; export fewer rows or columns'}`,
         );
       if (kind === 'study') await this.readStudy(name, file);
+      else if (kind === 'lesson') await this.readLesson(file);
       else if (kind === 'system') await this.readSystem(name, await file.text());
       else if (isScenario) await this.readScenario(name, await file.text());
       else await this.readTable(name, file, choices);
@@ -147,6 +148,14 @@ export class FileOpener {
     const { readStudyFile } = await import('./studyFile.ts');
     files.actions.setStudy(await readStudyFile(name, file, metas));
     settings.actions.set('tool', 'study');
+  }
+
+  /** A lesson opens beside the stage too. */
+  private async readLesson(file: Blob): Promise<void> {
+    const { files, settings } = this.context;
+    const { lessonIn } = await import('./ownLesson.ts');
+    files.actions.setLesson(await lessonIn(file));
+    settings.actions.set('tool', 'lessons');
   }
 
   /** A description by itself: everything at its default. */

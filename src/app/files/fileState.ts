@@ -1,5 +1,6 @@
 /** Files on their way in and out, and the meshes that came with them. */
 import { signal, type ReadonlySignal } from '@preact/signals';
+import type { OwnLesson } from './ownLesson.ts';
 import type { StudyResults } from '../../core/sweep/studyResults.ts';
 import type { ImportChoices, Question } from '../../csv/plan.ts';
 import { createEvent, readonly, type EventSource } from '../state/signals.ts';
@@ -41,6 +42,8 @@ export interface FileState {
   loading: ReadonlySignal<{ name: string; share: number | null } | null>;
   /** The results of a sweep that were opened last. */
   study: ReadonlySignal<StudyResults | null>;
+  /** A lesson of the person's own, while it is open. */
+  lesson: ReadonlySignal<OwnLesson | null>;
   /** Meshes the person dropped. */
   meshes: ReadonlySignal<Meshes>;
 }
@@ -56,6 +59,7 @@ export interface FileActions {
   setWriting: Setter<ValueOf<FileState['writing']>>;
   setLoading: Setter<ValueOf<FileState['loading']>>;
   setStudy: Setter<StudyResults | null>;
+  setLesson: Setter<OwnLesson | null>;
   setMeshes: Setter<Meshes>;
 }
 
@@ -73,6 +77,7 @@ export function createFileState(): FileSlice {
   const writing = signal<ValueOf<FileState['writing']>>(null);
   const loading = signal<ValueOf<FileState['loading']>>(null);
   const study = signal<StudyResults | null>(null);
+  const lesson = signal<OwnLesson | null>(null);
   const meshes = signal<Meshes>(new Map());
   return {
     state: {
@@ -83,6 +88,7 @@ export function createFileState(): FileSlice {
       writing: readonly(writing),
       loading: readonly(loading),
       study: readonly(study),
+      lesson: readonly(lesson),
       meshes: readonly(meshes),
     },
     actions: {
@@ -93,6 +99,7 @@ export function createFileState(): FileSlice {
       setWriting: (next) => void (writing.value = next),
       setLoading: (next) => void (loading.value = next),
       setStudy: (next) => void (study.value = next),
+      setLesson: (next) => void (lesson.value = next),
       setMeshes: (next) => void (meshes.value = next),
     },
     opened: createEvent(),

@@ -51,6 +51,12 @@ export async function openLink(
   toolIds: readonly string[],
   before: Work | null,
 ): Promise<boolean> {
+  // A lesson opens beside the work there is.
+  if (
+    location.hash.startsWith('#lesson=') &&
+    (await import('../files/ownLesson.ts')).openLessonLink(app, location.hash)
+  )
+    return false;
   let link: OpenedLink;
   try {
     const description = descriptionInLink(location.hash);

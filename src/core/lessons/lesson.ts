@@ -24,11 +24,19 @@ export interface Vary {
   to: number;
 }
 
+/** Columns over the time or over another one. */
+export interface LessonPlot {
+  x: string;
+  y: readonly string[];
+}
+
+/** `line`: where the block begins in the file. */
 export type Block =
   | { kind: 'text'; text: string }
-  | { kind: 'live'; title: string; subject: Subject; vary: Vary | null }
+  | { kind: 'live'; line: number; title: string; subject: Subject; vary: Vary | null; plot: LessonPlot | null }
   | {
       kind: 'question';
+      line: number;
       text: string;
       unit: string;
       /** Relative. */
@@ -83,7 +91,7 @@ export function readLesson(text: string): Lesson {
 
 type Fields = ReadonlyMap<string, { value: string; line: number }>;
 
-const KEYS = ['title', 'case', 'scenario', 'vary', 'ask', 'unit', 'tolerance', 'hint', 'answer', 'times'];
+const KEYS = ['title', 'case', 'scenario', 'vary', 'plot', 'ask', 'unit', 'tolerance', 'hint', 'answer', 'times'];
 
 function fieldsOf(lines: readonly string[], from: number): Fields {
   const fields = new Map<string, { value: string; line: number }>();
@@ -127,11 +135,17 @@ function liveOf(fields: Fields, line: number): Block {
   const [low, high] = [Number(from), Number(to)];
   if (vary && !(low < high))
     throw new ScenarioError(`line ${vary.line}`, 'right would be: vary: parameters.casterTrail -0.06 0.06');
+  const plot = fields.get('plot');
+  const [, y = '', x = 't'] = /^((?:\w+ )*?\w+)(?: over (\w+))?$/.exec(plot?.value ?? '') ?? [];
+  if (plot && y === '')
+    throw new ScenarioError(`line ${plot.line}`, 'right would be: plot: alpha beta, or plot: Y over X');
   return {
     kind: 'live',
+    line,
     title: need(fields, 'title', line),
     subject: subjectOf(fields, line),
     vary: vary ? { path: [group!, name!], from: low, to: high } : null,
+    plot: plot ? { x, y: y.split(' ') } : null,
   };
 }
 
@@ -152,6 +166,7 @@ function questionOf(fields: Fields, line: number): Block {
   };
   return {
     kind: 'question',
+    line,
     text: need(fields, 'ask', line),
     unit: fields.get('unit')?.value ?? '1',
     tolerance: Math.abs(number('tolerance', 0.01)),

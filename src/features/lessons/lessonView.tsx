@@ -1,29 +1,38 @@
 /** One lesson: its text, its live parts, its questions. */
+import { useSignal, type Signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { isRight, readTyped } from '../../core/lessons/typed.ts';
 import type { Block, Lesson, Subject, Vary } from '../../core/lessons/lesson.ts';
 import { useUi } from '../../ui/context.ts';
 import { Markdown } from '../../ui/kit/markdown.tsx';
+import { LessonChart } from './lessonChart.tsx';
 import { answered, progress } from './progress.ts';
 import { reasonOf, scenarioOf } from './subject.ts';
 import { words } from './words.ts';
 
 export function LessonView({ lesson }: { lesson: Lesson & { id: string } }) {
   let questions = 0;
+  const active = useSignal<{ block: Block; origin: unknown } | null>(null);
   return (
     <article class="help-text lesson">
       {lesson.blocks.map((block, k) => {
         if (block.kind === 'text') return <Markdown key={k} text={block.text} linkOf={() => null} />;
-        if (block.kind === 'live') return <Live key={k} block={block} />;
+        if (block.kind === 'live') return <Live key={k} block={block} active={active} />;
         return <Question key={k} block={block} lesson={lesson.id} number={questions++} />;
       })}
     </article>
   );
 }
 
-function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
+interface LiveProps {
+  block: Extract<Block, { kind: 'live' }>;
+  /** The part that was shown last, and what it put into the panel. */
+  active: Signal<{ block: Block; origin: unknown } | null>;
+}
+
+function Live({ block, active }: LiveProps) {
   const { app } = useUi();
-  const { vary, title, subject } = block;
+  const { vary, title, subject, plot } = block;
   const given = vary ? valueIn(subject, vary) : null;
   const [value, setValue] = useState(vary ? Number((given ?? (vary.from + vary.to) / 2).toPrecision(3)) : 0);
   const [moved, setMoved] = useState(false);
@@ -34,6 +43,7 @@ function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
       const { draft } = await scenarioOf(app, subject, path);
       if ('case' in subject && !path) app.actions.loadCase(subject.case);
       else app.actions.loadScenario(draft, title);
+      active.value = { block, origin: app.state.origin.peek() };
       setFault('');
     } catch (error) {
       setFault(words.loadFailed(reasonOf(error)));
@@ -67,6 +77,9 @@ function Live({ block }: { block: Extract<Block, { kind: 'live' }> }) {
         </label>
       )}
       {fault && <p role="alert">{fault}</p>}
+      {plot && active.value?.block === block && active.value.origin === app.state.origin.value && (
+        <LessonChart plot={plot} title={title} />
+      )}
     </div>
   );
 }

@@ -2,9 +2,11 @@
 // A lesson beside the stage: its live parts go to the stage, its questions are checked against what is computed, progress stays.
 import { cleanup, fireEvent, screen, waitFor, within } from '@testing-library/preact';
 import { afterEach, expect, test, vi } from 'vitest';
+import { readLesson } from '../../core/lessons/lesson.ts';
 import { draw, testApp } from '../../../tests/ui/page.tsx';
 import { LessonsTool } from './lessonsTool.tsx';
 import { lessons } from './manifest.tsx';
+import { faultsIn } from './subject.ts';
 import { words } from './words.ts';
 
 afterEach(cleanup);
@@ -47,4 +49,36 @@ test('a lesson of one’s own is read from a file, or refused with its line; its
   const lesson = await screen.findByTestId('lesson');
   expect(lesson.querySelector('img')).toBeNull();
   expect(lesson.querySelector('em')!.textContent).toBe('yes');
+});
+
+test('who wrote a lesson is told which of its parts can’t be used, and why', async () => {
+  const app = testApp();
+  draw(<LessonsTool />, { app, features: [lessons] });
+  const part = (kind: string, ...lines: string[]): string => ['```' + kind, ...lines, '```', ''].join('\n');
+  const text = [
+    '# Mine',
+    part('live', 'title: Good', 'case: ridden', 'plot: alpha lambda_1'),
+    part('live', 'title: No case', 'case: riden'),
+    part('live', 'title: No column', 'case: ridden', 'plot: alhpa'),
+    part('live', 'title: No field', 'case: ridden', 'vary: parameters.tail 0 1'),
+    part('question', 'ask: How far?', 'scenario: {"version": 1, "system": "ripstick"}', 'answer: end X'),
+  ].join('\n');
+  app.actions.openFiles([new File([text], 'own.md')]);
+  const told = await screen.findByTestId('lesson-faults');
+  const lines = within(told)
+    .getAllByRole('listitem')
+    .map(({ textContent }) => textContent);
+  expect(lines[0]).toBe('line 8: there is no case "riden"');
+  expect(lines[1]).toMatch(/^line 13: there is no column "alhpa"; right would be t, X, /);
+  expect(lines[2]).toMatch(/^line 19: parameters.tail: unknown name "tail"/);
+  expect(lines[3]).toMatch(/^line 25: system: unknown name "ripstick"/);
+  expect(app.state.tool.value).toBe('lessons');
+  fireEvent.click(screen.getByTestId('lessons-back'));
+  expect(app.state.lesson.value).toBeNull();
+});
+
+test('no part of the page’s own lessons has a fault', async () => {
+  const app = testApp();
+  const files = import.meta.glob<string>('../../../lessons/*.md', { query: '?raw', import: 'default', eager: true });
+  for (const [name, text] of Object.entries(files)) expect(await faultsIn(app, readLesson(text)), name).toEqual([]);
 });

@@ -1,12 +1,13 @@
 /** The list of lessons, and one that is open beside the stage. */
 import './lessons.css';
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { lessonIn, lessonLink, type OwnLesson } from '../../app/files/ownLesson.ts';
 import { readLesson, type Lesson } from '../../core/lessons/lesson.ts';
-import { ownId } from '../../core/scenario/own.ts';
+import { useUi } from '../../ui/context.ts';
 import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
 import { LessonView } from './lessonView.tsx';
 import { progress } from './progress.ts';
-import { reasonOf } from './subject.ts';
+import { faultsIn, reasonOf, type Fault } from './subject.ts';
 import { words } from './words.ts';
 
 const loaders = import.meta.glob<string>('../../../lessons/*.md', { query: '?raw', import: 'default' });
@@ -18,10 +19,9 @@ let texts: Promise<readonly (Lesson & { id: string })[]> | null = null;
 const readAll = (): Promise<readonly (Lesson & { id: string })[]> =>
   (texts ??= Promise.all(shipped.map(async ({ id, load }) => ({ ...readLesson(await load()), id }))));
 
-/** More is refused before it is read. */
-const LARGEST = 200_000;
-
 export function LessonsTool() {
+  const { app } = useUi();
+  const own = app.state.lesson.value;
   const [list, setList] = useState<readonly (Lesson & { id: string })[] | null>(null);
   const [failed, setFailed] = useState(false);
   const [open, setOpen] = useState<(Lesson & { id: string }) | null>(null);
@@ -38,20 +38,25 @@ export function LessonsTool() {
   const take = async (given: File | undefined): Promise<void> => {
     if (!given) return;
     try {
-      const text = given.size > LARGEST ? 'x'.repeat(LARGEST) : await given.text();
-      setOpen({ ...readLesson(text), id: ownId(text) });
+      app.actions.setLesson(await lessonIn(given));
       setFault('');
     } catch (error) {
       setFault(words.ownFailed(reasonOf(error)));
     }
   };
-  if (open)
+  const shown = own ?? open;
+  const back = (): void => {
+    setOpen(null);
+    app.actions.setLesson(null);
+  };
+  if (shown)
     return (
       <div class="lessons pad scroll" data-testid="lesson">
-        <button type="button" class="link" data-testid="lessons-back" onClick={() => setOpen(null)}>
+        <button type="button" class="link" data-testid="lessons-back" onClick={back}>
           {words.back}
         </button>
-        <LessonView key={open.id} lesson={open} />
+        {own && <OwnNotes key={own.id} lesson={own} />}
+        <LessonView key={shown.id} lesson={shown} />
       </div>
     );
   return (
@@ -89,5 +94,40 @@ export function LessonsTool() {
       />
       <p role="alert">{fault}</p>
     </div>
+  );
+}
+
+/** Of a lesson that is no part of the page: what in it can't be used, for whoever wrote it, and its link. */
+function OwnNotes({ lesson }: { lesson: OwnLesson }) {
+  const { app } = useUi();
+  const [faults, setFaults] = useState<readonly Fault[]>([]);
+  const [told, setTold] = useState('');
+  useEffect(() => void faultsIn(app, lesson).then(setFaults), []);
+  const copy = async (): Promise<void> => {
+    const link = lessonLink(lesson);
+    if (link === null) return setTold(words.longLink);
+    const address = `${location.origin}${location.pathname}#${link}`;
+    await navigator.clipboard.writeText(address).then(
+      () => setTold(words.copied),
+      () => setTold(words.notCopied(address)),
+    );
+  };
+  return (
+    <>
+      <button type="button" class="link" data-testid="lesson-link" onClick={() => void copy()}>
+        {words.copyLink}
+      </button>
+      <p role="status">{told}</p>
+      {faults.length > 0 && (
+        <div role="alert" class="lesson-faults" data-testid="lesson-faults">
+          <p>{words.faults(faults.length)}</p>
+          <ul>
+            {faults.map(({ line, why }) => (
+              <li key={line}>{words.faultIn(line, why)}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+    </>
   );
 }

@@ -9,7 +9,7 @@ import { rowsWithin } from '../../core/motion/rowsWithin.ts';
 import { words } from '../../core/motion/symbols.ts';
 import { compileExpression } from '../../core/scenario/expressions.ts';
 import type { PaneProps } from './paneProps.ts';
-import { stylesOf } from './style.ts';
+import { stylesOf } from '../../charts/columnStyles.ts';
 
 const EXACT_POINTS = 400;
 

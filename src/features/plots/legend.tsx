@@ -5,7 +5,7 @@ import { useSlowTime } from '../../ui/slowTime.ts';
 import { Icon } from '../../ui/kit/controls.tsx';
 import { formatShort } from '../../ui/kit/format.ts';
 import type { PaneProps } from './paneProps.ts';
-import { stylesOf, type CurveStyle } from './style.ts';
+import { stylesOf, type CurveStyle } from '../../charts/columnStyles.ts';
 import { text } from './words.ts';
 
 export function Legend({ info, degrees, ...props }: PaneProps & { info: readonly Column[]; degrees: boolean }) {

@@ -71,7 +71,21 @@ test('numbers are typed as people type them', () => {
   expect(readTyped('t', 'm')).toHaveProperty('fault');
 });
 
+test('a live part names what is plotted', () => {
+  const plotOf = (line: string) => {
+    const [live] = readLesson(`# A\n\`\`\`live\ntitle: x\ncase: ridden\n${line}\n\`\`\``).blocks.filter(
+      ({ kind }) => kind === 'live',
+    );
+    return (live as Extract<Block, { kind: 'live' }>).plot;
+  };
+  expect(plotOf('')).toBeNull();
+  expect(plotOf('plot: alpha')).toEqual({ x: 't', y: ['alpha'] });
+  expect(plotOf('plot: alpha over_dot psi')).toEqual({ x: 't', y: ['alpha', 'over_dot', 'psi'] });
+  expect(plotOf('plot: Y Z over X')).toEqual({ x: 'X', y: ['Y', 'Z'] });
+});
+
 test.each([
+  ['# A\n```live\ntitle: x\ncase: ridden\nplot: Y,X\n```', /line 5: right would be: plot: alpha beta/],
   ['no title', /line 1: a lesson begins with its title/],
   ['# A\n```live\ntitle: x', /line 2: this block has no end/],
   ['# A\n```live\ntitle: x\n```', /line 2: this block needs a line "scenario: …"/],

@@ -1,5 +1,6 @@
-import { token } from '../../charts/tokens.ts';
-import type { Column } from '../../core/motion/columns.ts';
+/** How curves of a motion's columns are told apart, in every chart of them. */
+import type { Column } from '../core/motion/columns.ts';
+import { token } from './tokens.ts';
 
 /** Told apart by colour-blind people too, and by their dashes. The first is orange and the second blue, as everywhere. */
 const OTHERS = ['#009e73', '#cc79a7', '#8a8f98', '#a6761d', '#7570b3', '#17a2b8'];

@@ -4,7 +4,6 @@ import { packText, unpackText } from '../../core/scenario/packed.ts';
 import { LONGEST_LINK } from '../../core/scenario/link.ts';
 import { ownId } from '../../core/scenario/own.ts';
 import { ScenarioError } from '../../core/scenario/types.ts';
-import type { App } from '../app.ts';
 
 export interface OwnLesson extends Lesson {
   /** Of its text: what was answered is kept under it. */
@@ -43,21 +42,13 @@ export function lessonLink({ text }: OwnLesson): string | null {
 }
 
 /**
- * Opens the lesson of the address beside what is on the stage; a broken one is told.
+ * The lesson of an address.
  *
- * @param app that shows it
  * @param hash of the address
- * @returns whether the address is one of a lesson
+ * @returns null where it is no address of a lesson
+ * @throws Error that says in words what is wrong with it
  */
-export function openLessonLink({ actions }: App, hash: string): boolean {
+export function lessonInAddress(hash: string): OwnLesson | null {
   const packed = IN_ADDRESS.exec(hash)?.[1];
-  if (packed === undefined) return false;
-  try {
-    actions.setLesson(lessonOf(unpackText(packed, LARGEST)));
-    actions.set('tool', 'lessons');
-  } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
-    actions.report('error', 'The lesson in the address can\u2019t be read', [why]);
-  }
-  return true;
+  return packed === undefined ? null : lessonOf(unpackText(packed, LARGEST));
 }

@@ -51,12 +51,10 @@ export async function openLink(
   toolIds: readonly string[],
   before: Work | null,
 ): Promise<boolean> {
-  // A lesson opens beside the work there is.
-  if (
-    location.hash.startsWith('#lesson=') &&
-    (await import('../files/ownLesson.ts')).openLessonLink(app, location.hash)
-  )
+  if (location.hash.startsWith('#lesson=')) {
+    await openLessonLink(app, location.hash);
     return false;
+  }
   let link: OpenedLink;
   try {
     const description = descriptionInLink(location.hash);
@@ -81,6 +79,24 @@ export async function openLink(
   if (link.time !== undefined) seekWhenThere(app, link.time, shown);
   tell(app, autosave, link, origin, toolIds, before);
   return true;
+}
+
+/**
+ * Opens the lesson of the address beside the work there is; a broken one is told.
+ *
+ * @param app that shows it
+ * @param hash of the address
+ */
+export async function openLessonLink({ actions }: App, hash: string): Promise<void> {
+  const { lessonInAddress } = await import('../files/ownLesson.ts');
+  try {
+    const lesson = lessonInAddress(hash);
+    if (!lesson) throw new Error(text.noLesson);
+    actions.setLesson(lesson);
+    actions.set('tool', 'lessons');
+  } catch (error) {
+    actions.report('error', text.badLesson, [error instanceof Error ? error.message : String(error)]);
+  }
 }
 
 function tell(

@@ -1,7 +1,8 @@
 // A lesson in a link: all of it, to the letter, and nothing of what is broken.
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { lessonIn, lessonLink, openLessonLink } from '../../../src/app/files/ownLesson.ts';
+import { lessonIn, lessonInAddress, lessonLink } from '../../../src/app/files/ownLesson.ts';
+import { openLessonLink } from '../../../src/app/persistence/links.ts';
 import { kindOf } from '../../../src/app/files/fileKind.ts';
 import { workingApp } from '../workingApp.ts';
 
@@ -11,16 +12,16 @@ test('it opens as it was written; every lesson of the page would fit', async () 
     const lesson = await lessonIn(new Blob([text]));
     const link = lessonLink(lesson)!;
     const app = workingApp();
-    expect(openLessonLink(app, `#${link}`)).toBe(true);
+    await openLessonLink(app, `#${link}`);
     expect(app.state.lesson.value).toEqual(lesson);
     expect(app.state.tool.value).toBe('lessons');
   }
 });
 
-test('what is no lesson is told and opens nothing; another link is none', () => {
+test('what is no lesson is told and opens nothing; another link is none', async () => {
   const app = workingApp();
-  expect(openLessonLink(app, '#v=1&case=ridden')).toBe(false);
-  expect(openLessonLink(app, '#lesson=abc')).toBe(true);
+  expect(lessonInAddress('#v=1&case=ridden')).toBeNull();
+  await openLessonLink(app, '#lesson=abc');
   expect(app.state.lesson.value).toBeNull();
   expect(app.state.messages.value.at(-1)).toMatchObject({
     kind: 'error',

@@ -122,21 +122,39 @@ describe('as source', () => {
     expect(text('matlab', plain)).toContain('A = zeros(0, 0);');
   });
 
-  test('in C answers as it should, where there is a compiler', () => {
+  /** Runs a program as it is saved; false where the machine has not what runs it. */
+  const runs = (of: typeof made, id: string, file: string, ...commands: readonly string[][]): boolean => {
     const folder = mkdtempSync(join(tmpdir(), 'program-'));
     try {
-      for (const of of [made, program({})]) {
-        writeFileSync(join(folder, 'a.c'), text('c', of));
-        try {
-          execFileSync('cc', ['-std=c99', '-Wall', '-Werror', '-o', join(folder, 'a'), join(folder, 'a.c'), '-lm']);
-        } catch (error) {
-          if ((error as NodeJS.ErrnoException).code === 'ENOENT') return;
-          throw error;
-        }
-        expect(execFileSync(join(folder, 'a'), { encoding: 'utf8' })).toMatch(/^largest difference/);
-      }
+      writeFileSync(join(folder, file), text(id, of));
+      let answer = '';
+      for (const [command, ...args] of commands)
+        answer = execFileSync(command!, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+      expect(answer).toMatch(/^largest difference/m);
+      return true;
+    } catch (error) {
+      if ((error as NodeJS.ErrnoException).code === 'ENOENT') return false;
+      throw error;
     } finally {
       rmSync(folder, { recursive: true });
     }
-  });
+  };
+
+  test.each([
+    ['C', 'c', 'a.c', ['cc', '-std=c99', '-Wall', '-Werror', '-o', 'a', 'a.c', '-lm'], ['./a']],
+    ['Python', 'python', 'a.py', ['python3', 'a.py']],
+    // Octave reads MATLAB's language.
+    ['MATLAB', 'matlab', 'a.m', ['octave-cli', '--no-init-file', '--quiet', 'a.m']],
+  ] as const)(
+    'in %s it answers its test vector, where the machine can run it',
+    (_name, id, file, ...commands) => {
+      const lists = commands.map((command) => [...command]);
+      if (!runs(made, id, file, ...lists)) return;
+      runs(program({}), id, file, ...lists);
+      // And it is the vector that decides.
+      const wrong = { ...made, test: { ...made.test, u: made.test.u.map((row) => row.map((u) => 1.001 * u)) } };
+      expect(() => runs(wrong, id, file, ...lists)).toThrow();
+    },
+    30_000,
+  );
 });

@@ -100,35 +100,38 @@ const columnsOf = ({ A, measured }: ControllerProgram): Record<(typeof NAMES)[nu
   D: measured.length,
 });
 
+/** Lists alone, so that a microcontroller's Python runs it as well. */
 function programPython(program: ControllerProgram): string {
-  const { measured, inputs, test } = program;
-  const array = (name: string, M: readonly (readonly number[])[], columns: number): string =>
-    `${name} = np.array([${M.map((row) => `\n    [${row.map(digits).join(', ')}],`).join('')}\n]).reshape(${M.length}, ${columns})`;
+  const { test } = program;
+  const list = (name: string, M: readonly (readonly number[])[]): string =>
+    `${name} = [${M.map((row) => `\n    [${row.map(digits).join(', ')}],`).join('')}\n]`;
   const n = program.A.length;
-  const columns = columnsOf(program);
   return [
     ...heading(program).map((line) => `# ${line}`),
-    'import numpy as np',
+    ...NAMES.map((name) => list(name, program[name])),
+    list('TEST_Y', test.y),
+    list('TEST_U', test.u),
     '',
-    ...NAMES.map((name) => array(name, program[name], columns[name])),
-    array('TEST_Y', test.y, measured.length),
-    array('TEST_U', test.u, inputs.length),
+    '',
+    'def times(matrix, x):',
+    '    return [sum(a * b for a, b in zip(row, x)) for row in matrix]',
     '',
     '',
     'class Controller:',
     '    def __init__(self):',
-    `        self.c = np.zeros(${n})`,
+    `        self.c = [0.0] * ${n}`,
     '',
     '    def step(self, y):',
-    '        u = C @ self.c + D @ y',
-    '        self.c = A @ self.c + B @ y',
+    '        u = [a + b for a, b in zip(times(C, self.c), times(D, y))]',
+    '        self.c = [a + b for a, b in zip(times(A, self.c), times(B, y))]',
     '        return u',
     '',
     '',
     'if __name__ == "__main__":',
     '    controller = Controller()',
-    '    answers = np.array([controller.step(y) for y in TEST_Y])',
-    '    difference = np.abs(answers - TEST_U).max() / np.abs(TEST_U).max()',
+    '    answers = [controller.step(y) for y in TEST_Y]',
+    '    off = [abs(a - u) for answer, row in zip(answers, TEST_U) for a, u in zip(answer, row)]',
+    '    difference = max(off) / max(abs(u) for row in TEST_U for u in row)',
     '    print("largest difference, of the largest input:", difference)',
     '    raise SystemExit(difference > 1e-9)',
     '',
@@ -154,7 +157,9 @@ function programMatlab(program: ControllerProgram): string {
     "  answers(row, :) = (C * c + D * y)';",
     '  c = A * c + B * y;',
     'end',
-    "fprintf('largest difference, of the largest input: %g\\n', max(abs(answers(:) - test_u(:))) / max(abs(test_u(:))));",
+    'difference = max(abs(answers(:) - test_u(:))) / max(abs(test_u(:)));',
+    "fprintf('largest difference, of the largest input: %g\\n', difference);",
+    "assert(difference <= 1e-9, 'the program does not answer as its test vector says');",
     '',
   ].join('\n');
 }

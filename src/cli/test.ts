@@ -1,5 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { feedbackOf } from '../core/control/design/feedback.ts';
+import { computerReport } from '../core/control/sampled/computerReport.ts';
+import { unstableLoop } from '../core/control/sampled/unstableLoop.ts';
 import '../core/simulation/everyMotion.ts';
 import { shippedTests } from '../core/manoeuvres/shipped.ts';
 import { junitOf, outcomeOf, reportOf, type Outcome } from '../core/manoeuvres/report.ts';
@@ -31,11 +33,25 @@ export function test(file: ScenarioFile, system: System, { tests, report, junit 
     outcomes.push(outcome);
     process.stdout.write(`${outcome.passed ? 'pass' : 'FAIL'}  ${one.name}: ${outcome.message}\n`);
   }
-  const all = reportOf(system.meta.id, outcomes);
+  const all = reportOf(system.meta.id, outcomes, notesOn(file, system));
   process.stdout.write(`${all.passed} of ${outcomes.length} passed\n`);
+  for (const note of all.notes) process.stdout.write(`${note}\n`);
   if (report) write(report, `${JSON.stringify(all, null, 2)}\n`);
   if (junit) write(junit, junitOf(all));
   return all.failed === 0 ? 0 : 1;
+}
+
+/** What can be said of a regulator before it is run; a scenario that has no design says so in its tests. */
+function notesOn(file: ScenarioFile, system: System): string[] {
+  try {
+    const scenario = checkScenario(file, metas);
+    if (scenario.control?.type !== 'lqr') return [];
+    const why = unstableLoop(scenario.control, computerReport(scenario, system).sampled);
+    return why ? [why] : [];
+  } catch (error) {
+    if (error instanceof ScenarioError) return [];
+    throw error;
+  }
 }
 
 function testsFrom(name: string | undefined, { meta }: System): CheckedTest[] {

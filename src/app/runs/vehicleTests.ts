@@ -2,6 +2,8 @@ import { signal } from '@preact/signals';
 import type { Pool } from '../../compute/client/pool.ts';
 import type { TestsClient } from '../../compute/client/testsClient.ts';
 import type { TestAnswer } from '../../compute/services/testsTypes.ts';
+import { runsOf } from '../../core/manoeuvres/run.ts';
+import type { CheckedTest } from '../../core/manoeuvres/testFile.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { readonly } from '../state/signals.ts';
 
@@ -19,15 +21,26 @@ export class VehicleTests {
   answers: (TestAnswer | undefined)[][] = [];
   /** What the answers are of. */
   file: ScenarioFile | null = null;
+  system = '';
+  tests: readonly CheckedTest[] = [];
   private readonly pool: Pool<TestsClient>;
 
   constructor(pool: Pool<TestsClient>) {
     this.pool = pool;
   }
 
-  /** @param runs of all tests, in their order */
-  start(file: ScenarioFile, counts: readonly number[], runs: readonly TestRun[]): void {
-    this.file = file;
+  /**
+   * @param file the scenario as it stands
+   * @param system its id
+   * @param tests checked
+   */
+  start(file: ScenarioFile, system: string, tests: readonly CheckedTest[]): void {
+    const all = tests.map((test) => runsOf(test, file));
+    const counts = all.map(({ length }) => length);
+    const runs = all.flatMap((ofTest, place) =>
+      ofTest.map(({ file: of, designedFor }): TestRun => ({ place, test: tests[place]!, file: of, designedFor })),
+    );
+    [this.file, this.system, this.tests] = [file, system, tests];
     this.answers = counts.map((count) => new Array<TestAnswer | undefined>(count).fill(undefined));
     this.ownState.value = 'computing';
     this.ownVersion.value++;

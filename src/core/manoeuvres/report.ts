@@ -25,10 +25,12 @@ export interface TestReport {
   failed: number;
   seconds: number;
   tests: Outcome[];
+  /** What is to be said of the controller itself. */
+  notes: string[];
 }
 
 const numberOrNull = (x: number): number | null => (Number.isFinite(x) ? x : null);
-const short = (x: number): string => String(Number(x.toPrecision(4)));
+const short = (x: number): string => String(Number(x.toPrecision(4))).replace('-', '\u2212');
 
 /**
  * @param test checked
@@ -67,19 +69,28 @@ export function outcomeOf(test: CheckedTest, runs: readonly (Measured | string)[
   };
 }
 
+/** Why a run that went on to its end has no number. */
+function withoutNumber({ parsed, measure, after }: CheckedTest): string {
+  if ('fact' in parsed) return `this system has no ${measure}: nothing of it goes along the ground`;
+  if (parsed.kind === 'settle') return `${measure}: not settled by the end of the run, within a fiftieth of its change`;
+  if (parsed.kind === 'rise') return `${measure}: it does not rise`;
+  return after === undefined ? `the run has no ${measure}` : `the run has no ${measure} after ${short(after)} s`;
+}
+
 function wordsOf(test: CheckedTest, worst: Measured | string, count: number, passed: number): string {
   const many = count > 1 ? `${passed} of ${count} runs passed; the worst: ` : '';
   if (typeof worst === 'string') return many + worst;
   const { value, end } = worst;
   if (Number.isNaN(value))
-    return many + (end.reason === 'end' ? `the run has no ${test.measure}` : `the run stopped early: ${end.message}`);
+    return many + (end.reason === 'end' ? withoutNumber(test) : `the run stopped early: ${end.message}`);
+  const told = (x: number): string => (test.degrees ? `${short((x * 180) / Math.PI)}°` : short(x));
   const bounds =
     test.low === -Infinity
-      ? `at most ${short(test.high)}`
+      ? `at most ${told(test.high)}`
       : test.high === Infinity
-        ? `at least ${short(test.low)}`
-        : `${short(test.low)} to ${short(test.high)}`;
-  return `${many}${test.measure} = ${short(value)}, ${value >= test.low && value <= test.high ? 'within' : 'not'} ${bounds}`;
+        ? `at least ${told(test.low)}`
+        : `${told(test.low)} to ${told(test.high)}`;
+  return `${many}${test.measure} = ${told(value)}; must be ${bounds}`;
 }
 
 /**
@@ -87,8 +98,9 @@ function wordsOf(test: CheckedTest, worst: Measured | string, count: number, pas
  *
  * @param system its id
  * @param tests what came of each
+ * @param notes on the controller itself
  */
-export function reportOf(system: string, tests: readonly Outcome[]): TestReport {
+export function reportOf(system: string, tests: readonly Outcome[], notes: readonly string[] = []): TestReport {
   const passed = tests.filter((t) => t.passed).length;
   return {
     version: 1,
@@ -97,6 +109,7 @@ export function reportOf(system: string, tests: readonly Outcome[]): TestReport 
     failed: tests.length - passed,
     seconds: tests.reduce((sum, t) => sum + t.seconds, 0),
     tests: [...tests],
+    notes: [...notes],
   };
 }
 
@@ -107,7 +120,7 @@ const escaped = (text: string): string =>
   );
 
 /** JUnit's XML, as build servers read it. */
-export function junitOf({ system, tests, failed, seconds }: TestReport): string {
+export function junitOf({ system, tests, failed, seconds, notes }: TestReport): string {
   const cases = tests.map((t) => {
     const open = `    <testcase classname="${escaped(system)}" name="${escaped(t.name)}" time="${t.seconds.toFixed(3)}"`;
     if (t.passed) return `${open}>\n      <system-out>${escaped(t.message)}</system-out>\n    </testcase>`;
@@ -119,6 +132,7 @@ export function junitOf({ system, tests, failed, seconds }: TestReport): string 
     `<testsuites ${counts}>`,
     `  <testsuite name="${escaped(system)}" ${counts}>`,
     ...cases,
+    ...(notes.length > 0 ? [`    <system-out>${escaped(notes.join('\n'))}</system-out>`] : []),
     '  </testsuite>',
     '</testsuites>',
     '',

@@ -44,6 +44,8 @@ export interface CheckedTest extends Omit<Test, 'bound'> {
   parsed: ParsedMeasure;
   low: number;
   high: number;
+  /** Its bounds were written in degrees, and so are its figures told. */
+  degrees: boolean;
 }
 
 const KEYS = ['name', 'scenario', 'measure', 'bound', 'after', 'stops', 'spread'];
@@ -125,6 +127,7 @@ function checkTest(c: Checker, raw: unknown, path: string): CheckedTest | undefi
     parsed,
     low: Number.isNaN(low) ? -Infinity : low!,
     high: Number.isNaN(high) ? Infinity : high!,
+    degrees: Array.isArray(bound) && bound.some((b) => typeof b === 'string' && /\bdeg\s*$/.test(b)),
     ...(patch === undefined ? {} : { scenario: patch as Record<string, unknown> }),
     ...(after === undefined ? {} : { after: c.number(`${path}.after`, after, { least: 0 }) ?? 0 }),
     ...(given.get('stops') === true ? { stops: true } : {}),

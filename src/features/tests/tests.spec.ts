@@ -18,6 +18,6 @@ test('tests are run with one click: pass and fail, with the reason', async ({ pa
   );
   await page.getByTestId('tests-run').click();
   await expect(page.getByTestId('tests-summary')).toHaveText('1 of 2 passed');
-  await expect(page.getByTestId('tests-results')).toContainText('not at most 0.5');
+  await expect(page.getByTestId('tests-results')).toContainText('must be at most 0.5');
   expect(watch.errors).toEqual([]);
 });

@@ -1,5 +1,7 @@
 // Tests of a vehicle as data: measures of known curves, what a file may say, runs of a spread, reports.
 import { describe, expect, test } from 'vitest';
+import { deriveSystem, readSystem } from '../../../src/core/description/index.ts';
+import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import { measureOf, reduced, valuesOf, type Kind } from '../../../src/core/manoeuvres/measure.ts';
 import { junitOf, outcomeOf, reportOf } from '../../../src/core/manoeuvres/report.ts';
 import { measureRun, runsOf } from '../../../src/core/manoeuvres/run.ts';
@@ -132,6 +134,42 @@ test('JUnit: one case a test, nothing unescaped', () => {
   expect(xml).toContain('tests="2" failures="1" errors="0" time="1.000"');
   expect(xml).toContain('name="a &lt; b &amp; &quot;c&quot;"');
   expect(xml.match(/<failure /g)).toHaveLength(1);
+});
+
+test('any system has tests: a bicycle too slow to stand, and one that is typed', () => {
+  const slow = scenarioOf({ version: 1, system: 'bicycle', initial: { speed: 2, roll_dot: 0.5 }, duration: 6 });
+  const [falls] = checkTests(one({ stops: true, bound: [null, 5] }));
+  const run = measureRun(falls!, slow, systems['bicycle']!, null);
+  expect(outcomeOf(falls!, [run], 0)).toMatchObject({
+    passed: true,
+    message: expect.stringMatching(/^time = 4\.\d+; must be at most 5$/) as string,
+  });
+
+  const { model, view } = readSystem(
+    'system "Spring"\ncoordinate x [m] = 1\nbody b mass 1 at (x, 0, 0)\nforce -x on x\n',
+  );
+  const typed = deriveSystem(model!, view!);
+  const scenario = checkScenario({ version: 1, system: typed.meta.id, duration: 4 }, { [typed.meta.id]: typed.meta });
+  const [lowest, settles] = checkTests({
+    version: 1,
+    tests: [
+      { name: 'to the other side', measure: 'min.x', bound: [-1.001, -0.999] },
+      { name: 'comes to rest', measure: 'settle.x', bound: [null, 3] },
+    ],
+  });
+  expect(outcomeOf(lowest!, [measureRun(lowest!, scenario, typed, null)], 0).passed).toBe(true);
+  const never = outcomeOf(settles!, [measureRun(settles!, scenario, typed, null)], 0);
+  expect(never.message).toBe('settle.x: not settled by the end of the run, within a fiftieth of its change');
+});
+
+test('figures of a bound in degrees are told in degrees, with a true minus sign', () => {
+  const [checked] = checkTests(one({ bound: ['-20 deg', '20 deg'] }));
+  const end = { reason: 'end', message: '', time: 1 };
+  expect(outcomeOf(checked!, [{ value: -Math.PI / 4, end }], 0)).toMatchObject({
+    passed: false,
+    value: -Math.PI / 4,
+    message: 'time = −45°; must be −20° to 20°',
+  });
 });
 
 test('what comes with a system is right', () => {

@@ -16,8 +16,9 @@ const only = <T>(record: Readonly<Record<string, T>> | undefined, names: Readonl
  */
 export function carriedOver(draft: ScenarioFile, meta: SystemMeta): ScenarioFile {
   const coordinates = new Set(meta.coordinates.map(({ name }) => name));
-  const states = new Set([...coordinates, ...[...coordinates].map((name) => `${name}_dot`)]);
-  const { version, duration, outputStep, method } = draft;
+  const rates = [...coordinates].map((name) => `${name}_dot`);
+  const states = new Set([...coordinates, ...rates, ...(meta.speed ? [meta.speed.name] : [])]);
+  const { version, duration, outputStep, method, columns } = draft;
   const hold = draft.hold?.filter((name) => coordinates.has(name));
   const constraints = meta.constraintSets.some(({ id }) => id === draft.constraints) ? draft.constraints : undefined;
   const parts = {
@@ -27,6 +28,10 @@ export function carriedOver(draft: ScenarioFile, meta: SystemMeta): ScenarioFile
     hold: hold && hold.length > 0 ? hold : undefined,
     constraints,
     control: draft.control,
+    at: only(draft.at, states),
+    events: only(draft.events, new Set(meta.events?.map(({ id }) => id))),
+    parameterSet: Object.hasOwn(meta.parameterSets, draft.parameterSet ?? '') ? draft.parameterSet : undefined,
+    columns,
     duration,
     outputStep,
     method,
@@ -41,8 +46,8 @@ export function carriedOver(draft: ScenarioFile, meta: SystemMeta): ScenarioFile
   const tries = [
     without(),
     without('control'),
-    without('control', 'inputs', 'hold', 'constraints'),
-    without('control', 'inputs', 'hold', 'constraints', 'initial', 'parameters'),
+    without('control', 'at', 'inputs', 'hold', 'constraints'),
+    without('control', 'at', 'inputs', 'hold', 'constraints', 'initial', 'parameters', 'events'),
   ];
   return tries.find((file) => isFine(file, meta)) ?? { version, system: meta.id };
 }

@@ -7,7 +7,7 @@ import { templates } from '../../../src/core/description/templates.ts';
 import { judgeMotion } from '../../../src/core/simulation/judge.ts';
 import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
 import type { System } from '../../../src/core/model/system.ts';
-import { decodeLink, descriptionInLink, encodeLink } from '../../../src/core/scenario/link.ts';
+import { decodeLink, descriptionInLink, encodeLink, LONGEST_LINK } from '../../../src/core/scenario/link.ts';
 import { settled, written } from '../../../src/core/scenario/own.ts';
 import { checkScenario } from '../../../src/core/scenario/schema.ts';
 import type { Scenario } from '../../../src/core/scenario/types.ts';
@@ -194,6 +194,26 @@ test('a link carries the description, and gives the same scenario back', async (
   expect(settled(file)).toEqual(scenario);
   expect(checkScenario(file, systemMetas)).toEqual(checkScenario(scenario, systemMetas));
   expect(written(checkScenario(file, systemMetas), systemMetas)).not.toHaveProperty('description');
+});
+
+test('a description of 40 coordinates, with words and comments, takes a quarter of the longest link', async () => {
+  const lines = ['system "Chain of 40 links"', 'parameter gravity = 9.81', 'point P0 = (0, 0, 0)'];
+  for (let k = 1; k <= 40; k++)
+    lines.push(
+      `# link ${k}`,
+      `coordinate a${k} [rad] = ${Math.sin(k).toFixed(3)} "angle of link ${k}"`,
+      `parameter m${k} [kg] = ${(0.05 + 0.01 * Math.cos(k * k)).toFixed(4)} positive "mass of link ${k}"`,
+      `parameter l${k} [m] = ${(0.1 + 0.02 * Math.cos(7 * k)).toFixed(4)} positive "length"`,
+      `frame f${k} = world turned y a${k}`,
+      `point P${k} = P${k - 1} + f${k}(0, 0, -l${k})`,
+      `body f${k} mass m${k} inertia (0, m${k} l${k}^2/12, 0) at P${k - 1} + f${k}(0, 0, -l${k}/2)`,
+      `shape f${k} rod 0.01, l${k} along z`,
+    );
+  const { meta } = await learnSystem(lines.join('\n'));
+  const scenario = { version: 1 as const, system: meta.id };
+  const link = encodeLink({ caseId: null, scenario }, { cases, systems: systemMetas });
+  expect(link.length).toBeLessThan(LONGEST_LINK / 4);
+  expect(decodeLink(link, { cases, systems: systemMetas }).scenario).toEqual(scenario);
 });
 
 test('a wrong description in a scenario is told by its path, line and column', async () => {

@@ -32,7 +32,7 @@ export const words = {
   damping: 'damping',
   kinds: { grows: 'grows', decays: 'decays', neutral: 'neutral' },
   within: (time: string) => `by a factor e in ${time}`,
-  modeColumns: ['eigenvalue, 1/s', 'frequency, Hz', 'damping ratio', 'time constant, s', '', 'what moves'],
+  modeColumns: ['eigenvalue, 1/s', 'frequency, Hz', 'damping ratio', 'time constant, s', 'behaviour', 'what moves'],
   reach: 'What the inputs reach',
   reached: (n: number, of: number, stages: string) =>
     `The inputs together reach ${n} of ${of} dimensions${stages && `, found in stages of ${stages}`}.`,
@@ -58,7 +58,8 @@ export const words = {
   and: 'and',
   gain: 'Gain',
   noGain: 'No gain: choose the LQR in the Control section of the panel. A and B can be saved without one.',
-  gainNote: 'u = −K (x − x_ref), in SI units and radians. Only what K does on the reachable motion is determined.',
+  gainNote:
+    'u = −K (x − x₀), with x₀ the steady motion, in SI units and radians. Only what K does on the reachable motion is determined.',
   state: 'state',
   per: 'per',
   weight: 'Q',

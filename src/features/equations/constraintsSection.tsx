@@ -3,7 +3,7 @@ import type { TypesetConstraints } from '../../core/model/typeset.ts';
 import { equations } from './words.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatCount } from '../../ui/kit/format.ts';
-import { useBook } from './context.ts';
+import { inWords, useBook } from './context.ts';
 import { Formula } from './formula.tsx';
 
 const { constraints: words, headings } = equations;
@@ -55,6 +55,7 @@ function ConstraintSet({ set, inForce }: { set: TypesetConstraints; inForce: boo
 
 function Entries({ row: { title, entries } }: { row: TypesetConstraints['rows'][number] }) {
   const [open, setOpen] = useState(false);
+  const book = useBook();
   const name = words.titles[title] ?? title;
   return (
     <details class="row-entries" onToggle={(event) => setOpen(event.currentTarget.open)}>
@@ -62,10 +63,10 @@ function Entries({ row: { title, entries } }: { row: TypesetConstraints['rows'][
       {open &&
         entries.map(({ column, latex, operations }) =>
           latex ? (
-            <Formula key={column} latex={latex} title={`Ω ${name}, ${column}`} />
+            <Formula key={column} latex={latex} title={`Ω, ${name} by ${inWords(book, column)}`} />
           ) : (
             <p key={column} class="hint">
-              {equations.rowLeft(column, formatCount(operations!))}
+              {equations.rowLeft(inWords(book, column), formatCount(operations!))}
             </p>
           ),
         )}

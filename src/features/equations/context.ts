@@ -16,6 +16,10 @@ export interface Book {
 
 export const BookContext = createContext<Book | null>(null);
 
+/** A coordinate in words, for titles and for those who hear them. */
+export const inWords = ({ view }: Book, name: string): string =>
+  view.meta.coordinates.find((c) => c.name === name)?.label ?? name;
+
 export function useBook(): Book {
   const book = useContext(BookContext);
   if (!book) throw new Error('useBook outside of EquationsTool');

@@ -54,11 +54,13 @@ function Row({ coordinate, value, rate }: { coordinate: CoordinateMeta; value: n
   const shown = (x: number | null) => (x === null ? '–' : formatValue(x, kind));
   return (
     <tr>
-      <th scope="row">
+      <td>
         <Chip role={role} />
         <Letter mark={name} />
+      </td>
+      <th scope="row" class="words">
+        {label}
       </th>
-      <td class="words">{label}</td>
       <td class="number" data-testid={`equations-value-${name}`}>
         {shown(value)}
       </td>

@@ -2,7 +2,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { marksOf, setMarks } from '../../core/model/typeset.ts';
 import { equations as words } from './words.ts';
-import { useBook } from './context.ts';
+import { inWords, useBook } from './context.ts';
 import { setSoon } from './rendering.ts';
 
 export function Formula({ latex, title, label }: { latex: string; title: string; label?: string }) {
@@ -72,10 +72,16 @@ function Copy({ latex, title }: { latex: string; title: string }) {
   );
 }
 
-/** A letter in a table, in the same type as in the formulas. */
-export function Letter({ mark }: { mark: string }) {
-  const { typeset } = useBook();
+/** A letter in a table, in the same type as in the formulas. @param said in words too, where it stands alone */
+export function Letter({ mark, said = false }: { mark: string; said?: boolean }) {
+  const book = useBook();
+  const { typeset } = book;
   const box = useRef<HTMLSpanElement>(null);
   useEffect(() => setSoon(box.current!, String.raw`\s{${mark}}`, typeset.symbols, () => undefined), [mark, typeset]);
-  return <span ref={box} class="letter" />;
+  return (
+    <>
+      <span ref={box} class="letter" aria-hidden={said} />
+      {said && <span class="hidden">{inWords(book, mark)}</span>}
+    </>
+  );
 }

@@ -53,10 +53,12 @@ function Row({
 }) {
   return (
     <tr>
-      <th scope="row">
+      <td>
         <MathSymbol of={symbol} />
+      </td>
+      <th scope="row" class="words">
+        {label}
       </th>
-      <td class="words">{label}</td>
       <td class="column">
         {meta.coordinates
           .filter(({ name }) => column[name])

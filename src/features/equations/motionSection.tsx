@@ -1,6 +1,6 @@
 import { equations } from './words.ts';
 import { formatCount } from '../../ui/kit/format.ts';
-import { useBook } from './context.ts';
+import { inWords, useBook } from './context.ts';
 import { Formula } from './formula.tsx';
 
 const { headings, sections } = equations;
@@ -39,15 +39,16 @@ function Structure() {
 }
 
 function ForceEntries() {
+  const book = useBook();
   return (
     <>
       <h4>{headings.forces}</h4>
-      {useBook().typeset.forces!.map(({ row, latex, operations }) =>
+      {book.typeset.forces!.map(({ row, latex, operations }) =>
         latex ? (
-          <Formula key={row} latex={latex} title={`h ${row}`} />
+          <Formula key={row} latex={latex} title={`h, ${inWords(book, row)}`} />
         ) : (
           <p key={row} class="hint">
-            {equations.rowLeft(row, formatCount(operations!))}
+            {equations.rowLeft(inWords(book, row), formatCount(operations!))}
           </p>
         ),
       )}
@@ -56,13 +57,18 @@ function ForceEntries() {
 }
 
 function MassEntries() {
-  const { entries, left } = useBook().typeset.mass!;
+  const book = useBook();
+  const { entries, left } = book.typeset.mass!;
   const counts = left.map(({ operations }) => operations);
   return (
     <>
       <h4>{headings.entries}</h4>
       {entries.map(({ row, column, latex }) => (
-        <Formula key={`${row}.${column}`} latex={latex} title={`M ${row}, ${column}`} />
+        <Formula
+          key={`${row}.${column}`}
+          latex={latex}
+          title={`M, ${inWords(book, row)} by ${inWords(book, column)}`}
+        />
       ))}
       {left.length > 0 && (
         <p class="hint" data-testid="equations-left">

@@ -64,18 +64,18 @@ function MassTable({ present: { n, mass, condition }, hold }: { present: Present
               <th scope="col">
                 <span class="hidden">{words.row}</span>
               </th>
-              {coordinates.map(({ name, label }) => (
-                <th key={name} scope="col" class="number" aria-label={label}>
-                  <Letter mark={name} />
+              {coordinates.map(({ name }) => (
+                <th key={name} scope="col" class="number">
+                  <Letter mark={name} said />
                 </th>
               ))}
             </tr>
           </thead>
           <tbody>
-            {coordinates.map(({ name, label }, i) => (
+            {coordinates.map(({ name }, i) => (
               <tr key={name}>
-                <th scope="row" aria-label={label}>
-                  <Letter mark={name} />
+                <th scope="row">
+                  <Letter mark={name} said />
                 </th>
                 {coordinates.map((c, j) => (
                   <Entry key={c.name} value={mass[i * n + j]!} />
@@ -121,10 +121,10 @@ function VectorTable({ present }: { present: Present }) {
             </tr>
           </thead>
           <tbody>
-            {coordinates.map(({ name, label, kind }, i) => (
+            {coordinates.map(({ name, kind }, i) => (
               <tr key={name}>
-                <th scope="row" aria-label={label}>
-                  <Letter mark={name} />
+                <th scope="row">
+                  <Letter mark={name} said />
                 </th>
                 <Entry value={present.h[i]!} />
                 {present.inputs ? <Entry value={present.inputs[i]!} /> : <td class="number">–</td>}
@@ -162,9 +162,9 @@ function OmegaTable({
           <thead>
             <tr>
               <th scope="col">{words.row}</th>
-              {coordinates.map(({ name, label }) => (
-                <th key={name} scope="col" class="number" aria-label={label}>
-                  <Letter mark={name} />
+              {coordinates.map(({ name }) => (
+                <th key={name} scope="col" class="number">
+                  <Letter mark={name} said />
                 </th>
               ))}
               <th scope="col" class="number">

@@ -43,13 +43,13 @@ function Row({ parameter: p, value }: { parameter: ParameterMeta; value: number 
   const differs = Math.abs(value - p.default) > 1e-12 * Math.abs(p.default);
   return (
     <tr class={differs ? 'differs' : undefined}>
-      <th scope="row">
+      <td>
         <Letter mark={p.name} />
-      </th>
-      <td class="words">
+      </td>
+      <th scope="row" class="words">
         {p.label}
         {p.note && <small>{p.note}</small>}
-      </td>
+      </th>
       <td class="number" title={differs ? words.differs : undefined}>
         {shown(value)}
       </td>

@@ -82,7 +82,9 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
   const { meta } = ui.app.systemOf(set.scenario?.system ?? ui.app.state.draft.value.system)!;
   const { order, coordinates } = meta;
   const columns = [...(order === 1 ? [] : ['energy', 'residual', PRECISION]), ...coordinates.map((c) => c.name)];
-  const column = useSignal(columns.includes(set.column) ? set.column : coordinates[0]!.name);
+  const chosenColumn = useSignal(set.column);
+  /** Of this system: another may have come on the stage since it was chosen. */
+  const column = columns.includes(chosenColumn.value) ? chosenColumn.value : coordinates[0]!.name;
   const projection = useSignal(true);
   const problem = useSignal('');
   /** Once they run, those that do not are out of the way. */
@@ -193,9 +195,9 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
           {words.curve}{' '}
           <select
             data-testid="methods-column"
-            value={column.value}
+            value={column}
             onChange={(e) => {
-              column.value = e.currentTarget.value;
+              chosenColumn.value = e.currentTarget.value;
             }}
           >
             {columns.map((c) => (
@@ -207,7 +209,7 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
         </label>
         <span class="spring" />
         <SaveMenu
-          title={words.plot(label(column.value))}
+          title={words.plot(label(column))}
           picture={() => chart.current}
           testId="methods"
           disabled={comparison.outcomes.value.length === 0}
@@ -216,7 +218,7 @@ function SetOfMethods({ comparison, saveTable, set }: MethodsProps & { set: Meth
       {comparison.outcomes.value.length > 0 && (
         <MethodChart
           comparison={comparison}
-          column={column.value}
+          column={column}
           meta={meta}
           onChart={(made) => {
             chart.current = made;

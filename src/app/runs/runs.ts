@@ -356,9 +356,8 @@ export class Runs {
   /** A ride that is over becomes a run like any: its scenario, with what was told, repeats it to the last bit. */
   private ridden(motion: Motion, end: { reason: string; message: string; time: number }, ride: Ride): Motion {
     const { commands } = motion.scenario!.control as RideControl;
-    const { trajectory } = motion;
     // A fall ends it by itself, a little before the duration.
-    const duration = end.reason === 'cancelled' ? trajectory.end : Math.ceil(end.time * 10 + 1) / 10;
+    const duration = end.reason === 'cancelled' ? end.time : Math.ceil(end.time * 10 + 1) / 10;
     const written: ScenarioFile = {
       ...motion.written!,
       control: { ...motion.written!.control!, commands: commands.filter(([t]) => t < duration) } as RideControl,

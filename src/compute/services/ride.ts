@@ -62,6 +62,9 @@ async function compute(
   });
   while (!simulation.end) {
     if (signal.aborted) {
+      // To a sample, where a run of that duration stops too: its rows are these, and one at its end.
+      simulation.horizon = sampleUpTo(control, simulation.time + control.sample!);
+      simulation.advance(() => false);
       simulation.stop('cancelled', `ridden to t = ${Number(simulation.time.toFixed(3))} s`);
       break;
     }

@@ -2,6 +2,7 @@ import type { NumberOrExpression, TrackControl } from '../../core/scenario/types
 import type { InputMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
+import { isRidable } from '../../core/scenario/ride.ts';
 import { withEntry, withKey } from '../../app/state/draft.ts';
 import { ExpressionField } from '../../ui/kit/expressionField.tsx';
 import { later } from '../../ui/kit/later.tsx';
@@ -13,6 +14,7 @@ import { words } from './words.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
 
 const LqrPanel = later(async () => (await import('./lqrPanel.tsx')).LqrPanel);
+const RideCommands = later(async () => (await import('./rideCommands.tsx')).RideCommands);
 
 export function InputsSection() {
   const ui = useUi();
@@ -57,6 +59,7 @@ export function ControlSection() {
     { id: 'none', label: words.controlNone },
     ...(tracking.length > 0 ? [{ id: 'track', label: words.controlTrack }] : []),
     { id: 'lqr', label: words.controlLqr },
+    ...(isRidable(meta) ? [{ id: 'ride', label: words.controlRide }] : []),
   ];
   const choose = (id: string) => {
     const saved = ui.origin.value?.scenario.control;
@@ -64,6 +67,7 @@ export function ControlSection() {
     const chosen = {
       none: undefined,
       track,
+      ride: saved?.type === 'ride' ? saved : { type: 'ride' as const, commands: [] },
       lqr: firstLqr(meta, draft.initial, saved?.type === 'lqr' ? saved : undefined),
     }[id];
     edit(ui, words.controlKind, (now) => withKey(now, 'control', chosen));
@@ -79,6 +83,13 @@ export function ControlSection() {
         onChange={choose}
       />
       {control?.type === 'lqr' && <LqrPanel key={meta.id} control={control} />}
+      {control?.type === 'ride' && (
+        <RideCommands
+          key={meta.id}
+          control={control}
+          change={(part) => edit(ui, words.control, (now) => withKey(now, 'control', { ...control, ...part }))}
+        />
+      )}
       {control?.type === 'track' && <Track control={control} />}
     </Section>
   );

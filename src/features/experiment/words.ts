@@ -37,6 +37,7 @@ export const words = {
   controlKind: 'Controller',
   controlNone: 'None',
   controlTrack: 'Track a reference',
+  controlRide: 'Ride, as it is told',
   controlLqr: 'LQR (linear-quadratic regulator)',
   reference: 'reference',
   kp: 'proportional gain',

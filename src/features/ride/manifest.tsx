@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { Command } from '../../app/commands.ts';
 import type { Feature } from '../../ui/feature.ts';
-import { useCommand } from '../../ui/context.ts';
+import { useCommand, useUi } from '../../ui/context.ts';
 import { Toggle } from '../../ui/kit/controls.tsx';
 import { later } from '../../ui/kit/later.tsx';
 import { firstWords } from './firstWords.ts';
@@ -34,4 +34,18 @@ function RideSwitch() {
   );
 }
 
-export const ride: Feature = { id: 'ride', order: 115, stageSwitch: RideSwitch, stagePad: RideSlot, commands };
+const CommandMarks = later(async () => (await import('./commandMarks.tsx')).CommandMarks);
+
+function TimeLine() {
+  const { state } = useUi().app;
+  return state.motion.value?.scenario?.control?.type === 'ride' ? <CommandMarks /> : null;
+}
+
+export const ride: Feature = {
+  id: 'ride',
+  order: 115,
+  stageSwitch: RideSwitch,
+  stagePad: RideSlot,
+  timeLine: TimeLine,
+  commands,
+};

@@ -17,6 +17,11 @@ export const words = {
   rider: 'With a rider',
   choices: (help: string, pace: string, rider: boolean) =>
     `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}`,
+  marks: (count: number) => (count === 1 ? 'One command' : `${count} commands`),
+  mark: (name: string, value: number, time: number) => {
+    const much = value === 1 ? '' : ` ${formatShort(value)}`;
+    return `${name}${much} at ${time.toFixed(2)} s`.replace(' -', ' \u2212');
+  },
   help: 'Help',
   helpLevels: { 1: 'Full', 0.75: 'Some', 0: 'None' } as Readonly<Record<number, string>>,
   helpHint: {

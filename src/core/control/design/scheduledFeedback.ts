@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { Matrix } from 'ml-matrix';
 import { inputsOf } from '../../model/inputs.ts';
 import type { Feedback } from '../../mechanics/forcing.ts';
@@ -56,7 +57,7 @@ export class ScheduledFeedback implements Feedback {
 
   private speed(q: Float64Array, v: Float64Array): number {
     const { ahead, aside, heading } = this.forward;
-    return v[ahead]! * Math.cos(q[heading]!) + v[aside]! * Math.sin(q[heading]!);
+    return v[ahead]! * cosine(q[heading]!) + v[aside]! * sine(q[heading]!);
   }
 
   /** Exact: K, and what the speed does to K and to the reference. */
@@ -86,7 +87,7 @@ export class ScheduledFeedback implements Feedback {
       forceV[row + i]! -= weight * K[n + i]!;
       bySpeed -= slope[i]! * (q[i]! - q0[i]!) + slope[n + i]! * (v[i]! - s * perSpeed[i]!) - K[n + i]! * perSpeed[i]!;
     }
-    const [c, d] = [Math.cos(q[heading]!), Math.sin(q[heading]!)];
+    const [c, d] = [cosine(q[heading]!), sine(q[heading]!)];
     forceV[row + ahead]! += weight * bySpeed * c;
     forceV[row + aside]! += weight * bySpeed * d;
     forceQ[row + heading]! += weight * bySpeed * (v[aside]! * c - v[ahead]! * d);
@@ -143,10 +144,10 @@ function forwardOf(meta: SystemMeta): Forward {
 function atSpeed(at: Readonly<Record<string, number>>, meta: SystemMeta, speed: number): Record<string, number> {
   const { along, heading } = (meta.forward ?? meta.speed)!;
   const angle = at[heading] ?? 0;
-  const sideways = speed * Math.sin(angle);
+  const sideways = speed * sine(angle);
   return {
     ...at,
-    [along[0]]: speed * Math.cos(angle),
+    [along[0]]: speed * cosine(angle),
     ...(sideways === 0 && at[along[1]] === undefined ? {} : { [along[1]]: sideways }),
   };
 }

@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import type { Matrix } from 'ml-matrix';
 import { StartError } from '../../mechanics/consistentStart.ts';
 import type { InputMeta, SystemMeta } from '../../model/system.ts';
@@ -35,7 +36,7 @@ export function setTo({ plant, at, varied }: OneOpen, value: number): { plant: P
 function saidBy({ speed }: SystemMeta, at: OneOpen['at'], name: string, value: number): Record<string, number> {
   if (name !== speed?.name) return { [name]: value };
   const heading = at[speed.heading] ?? 0;
-  return { [speed.along[0]]: value * Math.cos(heading), [speed.along[1]]: value * Math.sin(heading) };
+  return { [speed.along[0]]: value * cosine(heading), [speed.along[1]]: value * sine(heading) };
 }
 
 /**

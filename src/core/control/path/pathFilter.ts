@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { Matrix } from 'ml-matrix';
 import { inputsOf } from '../../model/inputs.ts';
 import type { System } from '../../model/system.ts';
@@ -138,7 +139,7 @@ function seenPart(
     names.map((text) => {
       const formula = new Formula(text, whole.states);
       const row = whole.states.map((_, i) => formula.slope(state, i));
-      alongThePath(row, plane, n, Math.cos(heading), Math.sin(heading));
+      alongThePath(row, plane, n, cosine(heading), sine(heading));
       return row;
     }),
   );

@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import type { SystemMeta } from '../../model/system.ts';
 import { place, type Layer } from './layer.ts';
 
@@ -30,8 +31,8 @@ export function boardLayer(meta: SystemMeta): Layer {
     direct: DIRECT,
     ask({ t, q, v, wish }, feet) {
       const w = 2 * Math.PI * FREQUENCY;
-      const target = PUMP * wish.pump * Math.sin(w * t) - LEAN * wish.lean;
-      const rate = PUMP * wish.pump * w * Math.cos(w * t);
+      const target = PUMP * wish.pump * sine(w * t) - LEAN * wish.lean;
+      const rate = PUMP * wish.pump * w * cosine(w * t);
       for (let k = 0; k < 2; k++) {
         const own = rolls[k]!;
         let [roll, rolling] = [-(target - (k === 0 ? 1 : -1) * TWIST * wish.twist), -rate];

@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { inputsOf } from '../../model/inputs.ts';
 import type { Feedback, Program } from '../../mechanics/forcing.ts';
 import type { System } from '../../model/system.ts';
@@ -81,7 +82,7 @@ function rideProgram(control: RideControl, layer: Layer, plane: ReturnType<typeo
       return (t, q, v, out) => {
         const wish = follower.at(t);
         const heading = q[plane.heading]!;
-        const [c, s] = [Math.cos(heading), Math.sin(heading)];
+        const [c, s] = [cosine(heading), sine(heading)];
         const speed = c * v[plane.x]! + s * v[plane.y]!;
         const slow = share((FOOT_UP - speed) / (FOOT_UP - FOOT_DOWN));
         Object.assign(sight, { t, q, v, speed, across: c * v[plane.y]! - s * v[plane.x]!, wish });

@@ -1,3 +1,4 @@
+import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { Matrix } from 'ml-matrix';
 import { inputsOf } from '../../model/inputs.ts';
 import type { InputMeta, System, SystemMeta } from '../../model/system.ts';
@@ -66,7 +67,7 @@ export function riderLayer(scenario: Scenario, system: System): Layer {
       const most = Math.min(TIGHTEST, SIDEWAYS / Math.max(speed * speed, 1e-3));
       const asked = wish.twist * most + (wish.lean * SIDEWAYS) / Math.max(speed * speed, 1);
       const curvature = Math.max(-most, Math.min(most, asked));
-      const pump = PUMP * wish.pump * Math.sin(2 * Math.PI * FREQUENCY * t);
+      const pump = PUMP * wish.pump * sine(2 * Math.PI * FREQUENCY * t);
       for (let k = 0; k < 2; k++) {
         schedules[k]!.at(speed, row);
         let u = row[2 * n]! * curvature + row[2 * n + 1]! + (k === 0 ? pump : -pump);
@@ -136,7 +137,7 @@ function designAt(plant: Plant, speed: number, inputs: readonly InputMeta[], fel
         if (i !== plane.x && i !== plane.y && i !== plane.heading)
           feedforward += gain.get(k, i) * (q[i]! - straight.q[i]!) + gain.get(k, n + i) * (v[i]! - straight.v[i]!);
       }
-      const [c, s] = [Math.cos(heading), Math.sin(heading)];
+      const [c, s] = [cosine(heading), sine(heading)];
       feedforward += gain.get(k, n + plane.y) * (c * v[plane.y]! - s * v[plane.x]!);
       feedforward += gain.get(k, n + plane.heading) * v[plane.heading]!;
       const rest = straight.q.reduce((sum, x, i) => sum + gain.get(k, i) * x, 0);

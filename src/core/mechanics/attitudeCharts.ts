@@ -11,7 +11,7 @@
  * E: rates of the angles to angular velocity in body axes, the same body, so that E(angles) rates = E(angles') rates'.
  * Euler angles and their singularity: Goldstein, Poole and Safko, Classical Mechanics (3rd ed.), section 4.4 and 4.9.
  *
- * Not guaranteed: a fixed step so long that the pitch passes from 60° to 90° within it has the error of such a step.
+ * Not guaranteed: a fixed step that is long beside the pole has the error of such a step (`nearness`).
  */
 import { cosine, sine } from '../elementary/trigonometry.ts';
 import type { Forcing } from './forcing.ts';
@@ -20,8 +20,6 @@ import { parameterIndex, type System } from '../model/system.ts';
 
 /** A chart is left where |cos pitch'| falls below this (60°): far from the singularity, and rarely. */
 const LEFT_BELOW = 0.5;
-/** A step that ends where |cos pitch'| is below this (80°) came from above 60° in one: too long to be right there. */
-const TOO_FAR = 0.17;
 /** Within this of ±90° yaw and roll turn about one axis: the yaw stays as it was. Some hundred roundings. */
 const POLE = 1e-13;
 /** For forces known in the angles' own terms |cos pitch| is kept above this: at the pole itself they are 0/0. */
@@ -31,8 +29,12 @@ const STEP = Math.cbrt(Number.EPSILON);
 export class AttitudeCharts {
   /** The system in the present chart. */
   readonly system: System;
-  /** A step went from clear of the pole to beside it: it was too long for what it passed. */
-  overshot = false;
+  /**
+   * How near steps came to the singularity for their length: the largest turn of the roll axis within a step, beside the angle
+   * then left to the chart's pole. A fixed step of the classical method errs by some 1e-4 rad at half, by 1e-3 at one.
+   */
+  nearness = 0;
+  private readonly axis = new Float64Array(3);
   private started = false;
   /** Q by rows. */
   private readonly Q = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
@@ -204,16 +206,35 @@ export class AttitudeCharts {
     for (let k = 0; k < 3; k++) this.e[this.position[k]!] = g * this.Q[3 * k + 2]!;
   }
 
+  /** A step ended in this state: how near it came to the pole of its chart. */
+  stepped(q: Float64Array): void {
+    const { Q, axis } = this;
+    const turn = this.turnAxis(q);
+    const away = Math.acos(Math.min(1, Math.abs(axis[0]! * Q[6]! + axis[1]! * Q[7]! + axis[2]! * Q[8]!)));
+    if (turn > this.nearness * away) this.nearness = turn / away;
+  }
+
+  /** Sets the roll axis to that of a state; @returns the angle between both, rad */
+  private turnAxis(q: Float64Array): number {
+    const { axis, angles } = this;
+    const [yaw, pitch] = [q[angles[0]!]!, q[angles[1]!]!];
+    const [x, y, z] = [cosine(yaw) * cosine(pitch), sine(yaw) * cosine(pitch), -sine(pitch)];
+    const along = x * axis[0]! + y * axis[1]! + z * axis[2]!;
+    axis[0] = x;
+    axis[1] = y;
+    axis[2] = z;
+    return Math.acos(Math.max(-1, Math.min(1, along)));
+  }
+
   /** @returns whether another chart was chosen for the state */
   private choose(q: Float64Array): boolean {
     for (let k = 0; k < 3; k++) this.reference[k] = q[this.angles[k]!]!;
     const { Q, R, S, angles } = this;
     rotation(q[angles[0]!]!, q[angles[1]!]!, q[angles[2]!]!, R);
     product(Q, R, S);
-    const first = !this.started;
+    if (!this.started) this.turnAxis(q);
     this.started = true;
     if (Math.hypot(S[0]!, S[3]!) >= LEFT_BELOW) return false;
-    this.overshot ||= !first && Math.hypot(S[0]!, S[3]!) < TOO_FAR;
     this.turned = Math.hypot(R[0]!, R[3]!) < LEFT_BELOW;
     for (let i = 0; i < 3; i++)
       for (let j = 0; j < 3; j++) Q[3 * i + j] = this.turned ? R[3 * j + i]! : i === j ? 1 : 0;

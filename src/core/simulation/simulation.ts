@@ -74,6 +74,9 @@ const CLOCK_ROUNDING = 8 * Number.EPSILON;
 /** A fixed step that passes over less than this part of an input is as good as its method is. */
 const SMALL_PART = 1e-3;
 
+/** Of how near a free body's fixed steps may come to pitch 90° (`AttitudeCharts.nearness`) without a word. */
+const MOST_NEARNESS = 0.5;
+
 /** Places within a step where a controller is asked whether it has reached its limit, or left it. */
 const LIMIT_LOOKS = 4;
 
@@ -374,7 +377,7 @@ export class Simulation {
     );
     if (plan && plan.saturations.length > 0) this.before.set(stepper.y);
     const failure = stepper.step(limit, plan?.bound(stepper.t));
-    if (failure) return this.stop(failure, this.failureMessage(failure, stepper.t));
+    if (failure) return this.stop(failure, this.failureMessage(failure, stepper.t) + this.doubt());
     if (this.projecting && !stepper.projects) {
       if (!this.projectEnd(stepper.t, stepper.y)) {
         const reason = this.dynamics.failure ?? 'constraint-singular';
@@ -383,6 +386,7 @@ export class Simulation {
       stepper.stateChanged();
     }
     formulation.toState(stepper.y, q, v);
+    this.charts?.stepped(q);
     if (plan && this.turnsWithin(plan)) return;
     const crossing = this.findCrossing();
     if (crossing) {
@@ -398,10 +402,7 @@ export class Simulation {
       this.sampleQ.set(q);
       this.sampleV.set(v);
       this.emit(stepper.t);
-      const doubt = this.charts?.overshot
-        ? '; a step passed too near to pitch 90° to be right there: choose a smaller step'
-        : '';
-      return this.stop('end', `ran to t = ${scenario.duration} s${doubt}`);
+      return this.stop('end', `ran to t = ${scenario.duration} s${this.doubt()}`);
     }
     if (plan) this.pass(plan);
     // Last, because the dense output of the step is in the old meaning of y.
@@ -591,6 +592,17 @@ export class Simulation {
       if (dip !== null) return this.bisect(event, low, dip);
     }
     return null;
+  }
+
+  /** What is to be said at the end of a free body's run whose fixed steps were too long beside pitch 90°. */
+  private doubt(): string {
+    const step = fixedStepOf(this.scenario.method);
+    const nearness = this.charts?.nearness ?? 0;
+    if (step === null || !(nearness > MOST_NEARNESS)) return '';
+    return (
+      `; a step of ${step} s passed too near to pitch 90° to be right there: take one of ` +
+      `${((step * MOST_NEARNESS) / Math.max(2 * MOST_NEARNESS, nearness)).toPrecision(1)} s, or a method that chooses its steps`
+    );
   }
 
   /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */

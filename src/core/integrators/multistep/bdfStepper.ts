@@ -4,7 +4,7 @@ import type { BdfEquations } from './bdfEquations.ts';
 import type { StepFailure, StepperOptions } from '../contract.ts';
 import { AdaptiveStepper } from '../shared/adaptiveStepper.ts';
 import { allFinite } from '../shared/finite.ts';
-import { GROW_MOST, SAFETY, SHRINK_MOST } from '../shared/stepControl.ts';
+import { GROW_MOST, SAFETY, SHRINK_MOST, smallestStep } from '../shared/stepControl.ts';
 import { power } from '../../elementary/powers.ts';
 
 /**
@@ -28,6 +28,8 @@ import { power } from '../../elementary/powers.ts';
 const GROW_FROM = 1.2;
 /** After so many rejections of one step the history is no help: order 1 (as DASSL: Brenan, Campbell and Petzold, chapter 5). */
 const REJECTIONS_TO_RESTART = 3;
+/** A start is not tried below so many of the shortest steps there are: where a reference jumps, slopes are large for a tiny tolerance. */
+const FIRST_SHORTEST = 64;
 /** Moves of y beyond so many units of the tolerance begin a new history. */
 const RESTART_BEYOND = 100;
 /** A spacing closer than this to the step is the step: the last digits of the limit are worth no new factors. */
@@ -143,7 +145,8 @@ export class BdfStepper extends AdaptiveStepper {
     if (this.keptOrder === 0) this.kept[0]!.set(y);
     corrector.scaleBy(y, 1);
     if (!(this.h > 0)) this.h = equations.firstStep(this.t, y, slope, corrector.scale, longest);
-    this.h = Math.min(this.h, longest);
+    // Too short a first step is no better: the time has to move, and the error test sees what a longer one misses.
+    this.h = Math.min(Math.max(this.h, FIRST_SHORTEST * smallestStep(this.t, longest)), longest);
     if (tuning.past) {
       const values = Array.from({ length: maxOrder + 1 }, () => y.slice());
       for (let j = 1; j <= maxOrder; j++) tuning.past(this.t - j * this.h, values[j]!);

@@ -6,6 +6,12 @@ import { parseAst } from 'rolldown/parseAst';
 
 const HERE = 'globalThis.__siteBase';
 
+/**
+ * Relative links are those of the page that was loaded; the router changes the address under what it keeps, as the bar at the top. Runs
+ * once all is there, before the page's own scripts.
+ */
+const FIX = `for(const e of document.querySelectorAll('a[href],link[rel=icon]'))if(!/^(#|[a-z]+:)/i.test(e.getAttribute('href')))e.setAttribute('href',e.href.slice(location.origin.length))`;
+
 /** Paths below a folder with one of the endings. */
 export function filesIn(folder, ending) {
   return readdirSync(folder, { recursive: true, encoding: 'utf8' })
@@ -44,7 +50,8 @@ function inPage(text, base, up) {
         : part.replace(/>([^]*)<\/script>$/, (_, code) => `>${inScript(code, base)}</script>`),
     )
     .join('')
-    .replace('<head>', `<head>${where}`);
+    .replace('<head>', `<head>${where}`)
+    .replace('</body>', `<script>${FIX}</script></body>`);
 }
 
 /** Every string that names the base becomes a sum. */

@@ -1,6 +1,7 @@
 import { cholesky, maxAbs, solveLower, solveLowerTransposed, symmetricEigenvalues } from '../linalg/dense.ts';
 import { luFactor, luSolve } from '../linalg/lu.ts';
-import { type ContactMeta, dependentWords, singularMassWords, type System } from '../model/system.ts';
+import { type ContactMeta, dependentWords, type System, type SystemMeta } from '../model/system.ts';
+import { singularMassWords } from './singularMass.ts';
 import { ConstrainedSystem } from './constrainedSystem.ts';
 import { Projection } from './projection.ts';
 
@@ -87,10 +88,18 @@ export function consistentStart(
       standStill();
     }
     if (!new Projection(dynamics).project(0, q, v)) {
+      const dependentAtStart = (): string => {
+        const which = `the constraints "${constraintSet}"`;
+        // Without the held coordinates: then it is these that leave no room.
+        const alone = hold.length > 0 ? new ConstrainedSystem(system, parameters, constraintSet, [], null) : dynamics;
+        if (alone !== dynamics && new Projection(alone).project(0, q.slice(), v.slice()))
+          return `${which} and the held coordinates are more than the motion has room for: hold fewer${orFree(system.meta)}`;
+        return `${which} are dependent at this start${dependentWords(system.meta, constraintSet)}: change the start${orFree(system.meta)}`;
+      };
       throw new StartError(
         dynamics.failure === 'constraint-singular'
-          ? `the constraints "${constraintSet}" are dependent at this start${hold.length ? ' with the held coordinates; too much may be held' : ''}${dependentWords(system.meta, constraintSet)}: change the start${hold.length ? ', hold less' : ''}, or choose constraints "none"`
-          : `the mass matrix is singular at this start: ${singularMassWords(system.meta, q)}`,
+          ? dependentAtStart()
+          : `the mass matrix is singular at this start: ${singularMassWords(system, parameters, q, hold)}`,
       );
     }
   }
@@ -156,13 +165,17 @@ function solveContact(dynamics: ConstrainedSystem, contact: ContactMeta, q: Floa
     const solved = contact.solveFor.join(' and ');
     if (system.meta.description !== undefined)
       throw new StartError(
-        `no ${solved} brings ${points} to zero from this start (nearest: ${size.toPrecision(2)} m): start elsewhere, let another coordinate give way (solve …), or choose constraints "none"`,
+        `no ${solved} brings ${points} to zero from this start (nearest: ${size.toPrecision(2)} m): start elsewhere, let another coordinate give way (solve …)${orFree(system.meta)}`,
       );
     throw new StartError(
-      `no ${solved} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude, or choose constraints "none"`,
+      `no ${solved} puts ${points} on the ground for this attitude (best: ${size.toExponential(2)} m): change the attitude${orFree(system.meta)}`,
     );
   }
 }
+
+/** What is always possible, for a system that can do without constraints: a bicycle can't. */
+const orFree = ({ constraintSets }: SystemMeta): string =>
+  constraintSets.some(({ id }) => id === 'none') ? ', or choose constraints "none"' : '';
 
 /** Smallest change of the free velocities that meets the constraints; false where there is none. */
 function moveFree(d: ConstrainedSystem, q: Float64Array, v: Float64Array, free: readonly boolean[]): boolean {

@@ -250,17 +250,6 @@ export function dependentWords({ constraintSets }: SystemMeta, id: string | unde
 }
 
 /**
- * @param q coordinates, n
- * @returns why M may be singular at q (n), and what to do: the pole of the angles, or a body without mass
- */
-export function singularMassWords({ attitude, coordinates }: SystemMeta, q: Float64Array): string {
-  const pitch = coordinates.findIndex(({ name }) => name === attitude?.angles[1]);
-  return pitch >= 0 && Math.abs(Math.cos(q[pitch]!)) < 1e-3
-    ? `the pitch ${attitude!.angles[1]} is at 90°, where the angles have no rates; a free board passes there: choose constraints "none" and hold neither its angles nor a part of its position`
-    : 'give every body a mass and inertia';
-}
-
-/**
  * @param meta of the system
  * @param name of the parameter
  * @returns position of a parameter in the vector `p`; throws where the system has none of that name

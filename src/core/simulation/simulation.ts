@@ -668,7 +668,7 @@ export class Simulation {
   }
 
   private failureMessage(reason: string, t: number): string {
-    return failureMessage(reason, t, this.endQ, this.endV, this.system.meta, this.dynamics);
+    return failureMessage(reason, t, this.endQ, this.endV, this.system, this.dynamics, this.scenario.method);
   }
 
   private grow(): void {

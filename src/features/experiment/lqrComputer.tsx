@@ -6,6 +6,7 @@ import type { ComputerReport } from '../../core/control/sampled/computerReport.t
 import type { LqrControl } from '../../core/scenario/types.ts';
 import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+import { ActuatorFields, SensorFields } from './lqrDevices.tsx';
 import { ProgramField } from './lqrProgram.tsx';
 import { Margins } from './lqrMargins.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
@@ -76,7 +77,13 @@ export function ComputerFields({ control, change }: Props) {
           </select>
         </label>
       ) : null}
-      {sample ? <ProgramField control={control} change={change} /> : null}
+      {sample ? (
+        <>
+          <SensorFields control={control} change={change} />
+          <ActuatorFields control={control} change={change} />
+          <ProgramField control={control} change={change} />
+        </>
+      ) : null}
       <ComputerReadout />
     </fieldset>
   );

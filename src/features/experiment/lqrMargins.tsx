@@ -12,7 +12,7 @@ const listed = (moduli: readonly number[]): string =>
   moduli
     .slice(0, SHOWN)
     .map((m) => formatShort(m, 4))
-    .join(', ') + (moduli.length > SHOWN ? ', …' : '');
+    .join(', ') + (moduli.length > SHOWN ? ' and smaller ones' : '');
 
 export function Margins({
   margins,

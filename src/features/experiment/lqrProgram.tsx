@@ -22,7 +22,7 @@ export function ProgramField({ control, change }: { control: LqrControl; change(
     change({ ...Object.fromEntries(KEYS.map((key) => [key, undefined])), ...read });
   };
   return (
-    <details class="lqr-program" open={KEYS.some((key) => control[key] !== undefined)}>
+    <details class="lqr-program" open={control.path !== undefined || control.process !== undefined}>
       <summary>{words.program}</summary>
       <p class="hint">{words.programNote}</p>
       <textarea

@@ -135,7 +135,7 @@ export const lqrWords = {
   sees: (dimension: number, whole: number) => `The sensors see ${dimension} of ${whole} dimensions.`,
   unseenBySensors: (names: string) => `No sensor sees: ${names}. There the filter expects the steady motion.`,
   filterPoles: (list: string) => `The estimate's error from sample to sample: ${list}.`,
-  program: 'Sensors, actuators, path',
+  program: 'Path, process noise, seed: all as JSON',
   programNote:
     'As JSON: "sensors", "process", "seed", "actuators", "path" (docs/control.md). Applied when you leave the field.',
   programLabel: 'sensors, actuators and path of the controller, as JSON',

@@ -130,3 +130,16 @@ test('speed sideways and both plates at 1 m/s are a cost like any other', () => 
   expect(design.placed).toHaveLength(9);
   expect(design.riccati.residual).toBeLessThan(1e-12);
 });
+
+test('beside ankles whose modes are four thousand times the fall, rounding of the neutral modes is no reach', () => {
+  const plant = reachablePlant(
+    linearizationOf({
+      system: 'ripstik-rider',
+      parameters: { ankleStiffness: 86.77870515576011, ankleDamping: 49.311286496822774, riderMass: 89.72448211220629 },
+      control: { type: 'lqr', inputs: ['tau_fp', 'tau_bc'], at: { X_dot: 2.324341518242621 } },
+    }),
+  );
+  expect(plant.split.A.rows).toBe(12);
+  const Q = plant.linearization.states.map((s) => (['alpha_fp', 'Y'].includes(s) ? 1 : 0));
+  expect(designLqr(plant, { Q, R: [1, 1] }).riccati.residual).toBeLessThan(1e-10);
+});

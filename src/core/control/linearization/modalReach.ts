@@ -46,7 +46,7 @@ export function reachByModes(
   // What rounding of A becomes in T, and so in what the inputs do to neutral modes.
   const slowest = Math.min(...eigenvalues(restA, norm(A)).map(modulus));
   const rounding = (10 * EPSILON * norm(A) * (1 + norm(T))) / slowest;
-  const neutral = reachableSubspace(nilpotent, neutralB, sizes, Math.min(1, LEAST / rounding));
+  const neutral = reachableSubspace(nilpotent, neutralB, sizes, Math.min(1, LEAST / rounding), rounding);
   const all = besides(Matrix.add(rest, Z.mmul(T)).mmul(moving.reached), Z.mmul(neutral.reachable));
   const { basis: reachable, complement } = columnSpace(normalized(all), () => all.columns);
   return {

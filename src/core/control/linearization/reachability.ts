@@ -77,7 +77,7 @@ export function splitByReachability(
   const plant = !basis ? { A, B, basis: I, back: I, unit: 1 } : basis instanceof Matrix ? balanced(basis, A, B) : basis;
   const sized = sizes?.map((size) => size / plant.unit);
   const split = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized, 1, weakest));
-  if (!leavesGrowing(split)) return split;
+  if (!leavesGrowing(split) && split.strength > DECIDED) return split;
   // There in the middle of the plant's rates, where fast and slow modes are as far from 1.
   const middle = basis instanceof Matrix ? inUnit(basis, A, B, middleRate(A)) : plant;
   const byModes = reachByModes(
@@ -86,6 +86,9 @@ export function splitByReachability(
   );
   return byModes ? splitAt(A, B, middle, byModes) : split;
 }
+
+/** Weak stages whose product is below this are decided by rounding, as far as the staircase can tell. */
+const DECIDED = 1e-16;
 
 /** Geometric mean of the moduli of A's eigenvalues other than zero, 1/s. */
 function middleRate(A: Matrix): number {

@@ -1,0 +1,25 @@
+/** Words of sensors and actuators. */
+export const deviceWords = {
+  none: 'none',
+  rateOf: (label: string) => `rate of ${label}`,
+  sensors: 'Sensors',
+  sensorsNote: 'A Kalman filter estimates the rest. Figures in SI units and radians.',
+  noSensors: 'None: the regulator knows every state exactly. With the first one, only what is named is measured.',
+  aSample: (size: string) => `${size} a sample`,
+  aRootHertz: (size: string) => `${size} per √Hz`,
+  stepsOf: (size: string) => `in steps of ${size}`,
+  sensor: {
+    noise: 'noise per sample',
+    density: 'noise density, per √Hz',
+    resolution: 'steps of',
+    bias: 'constant error',
+    drift: 'drift, per √s',
+    follow: 'error followed, per √s',
+  },
+  remove: 'Remove',
+  add: 'Measure',
+  choose: 'choose',
+  actuators: 'Motors',
+  ideal: 'ideal',
+  actuator: { limit: 'limit', rate: 'limit of the rate, per s', lag: 'time constant, s', resolution: 'steps of' },
+} as const;

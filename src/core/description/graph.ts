@@ -54,6 +54,10 @@ const onNumbers: Partial<Record<OpName, (x: number) => number>> = {
   ceil: Math.ceil,
 };
 
+/** What may leave the range of doubles soon, and what comes to exactly 0 by it. */
+const SWELLING: ReadonlySet<OpName> = new Set(['exp', 'cosh', 'sinh']);
+const FADING: ReadonlySet<OpName> = new Set(['div', 'exp', 'pow', 'tanh']);
+
 /** Nodes that a graph may have: a board has 40,000 with all its Jacobians, and each takes some 100 bytes. */
 export const MOST_NODES = 1_500_000;
 /** While it is read, which the page does between two keys: the board has 1,500. */
@@ -79,6 +83,8 @@ export class Graph {
 
   private readonly known = new Map<number | string, Id>();
   private readonly numbers = new Map<number, Id>();
+  /** By a set of functions: whether a node contains one. */
+  private readonly contained = new Map<ReadonlySet<OpName>, boolean[]>();
   /** Nodes that it may have. */
   most: number;
   readonly zero: Id;
@@ -335,18 +341,44 @@ export class Graph {
       case 'sub':
         return this.sub(da, db);
       case 'mul':
-        return this.add(this.mul(da, b), this.mul(a, db));
+        return this.add(this.limited(da, b), this.limited(a, db));
       case 'div':
-        return this.div(this.sub(da, this.mul(i, db)), b);
+        return this.div(this.sub(da, this.limited(i, db)), b);
       case 'neg':
         return this.neg(da);
       case 'select':
         return this.select(a, db, dc);
       default: {
         const [pa, pb] = this.slopes(i);
-        return this.add(this.mul(pa, da), pb === undefined ? this.zero : this.mul(pb, db));
+        return this.add(this.limited(pa, da), pb === undefined ? this.zero : this.limited(pb, db));
       }
     }
+  }
+
+  /**
+   * A product in a chain of derivatives. Where an exponential has left the range of doubles and what is made of it is at its
+   * limit all the same (1/cosh(x), atan(exp(x))), a slope of 0 meets one without bound: the limit is 0.
+   */
+  private limited(x: Id, y: Id): Id {
+    const made = this.mul(x, y);
+    for (const [slope, rate] of [
+      [x, y],
+      [y, x],
+    ] as const)
+      if (made !== this.zero && this.contains(rate, SWELLING) && this.contains(slope, FADING))
+        return this.select(this.compare('eq', slope, this.zero), this.zero, made);
+    return made;
+  }
+
+  /** Whether one of some functions is in it. */
+  private contains(i: Id, names: ReadonlySet<OpName>): boolean {
+    const found = this.contained.get(names) ?? [];
+    this.contained.set(names, found);
+    for (let k = found.length; k <= i; k++)
+      found[k] =
+        names.has(OPS[this.op[k]!]!) ||
+        [this.a[k]!, this.b[k]!, this.c[k]!].some((part) => part >= 0 && part < k && found[part] === true);
+    return found[i]!;
   }
 
   /** Derivatives of a function's node by its operands. */
@@ -424,8 +456,8 @@ export class Graph {
           give(b, this.neg(g));
           break;
         case 'mul':
-          give(a, this.mul(g, b));
-          give(b, this.mul(g, a));
+          give(a, this.limited(g, b));
+          give(b, this.limited(g, a));
           break;
         case 'div':
           give(a, this.div(g, b));
@@ -440,8 +472,8 @@ export class Graph {
           break;
         default: {
           const [pa, pb] = this.slopes(i);
-          give(a, this.mul(g, pa));
-          if (pb !== undefined) give(b, this.mul(g, pb));
+          give(a, this.limited(g, pa));
+          if (pb !== undefined) give(b, this.limited(g, pb));
         }
       }
     }

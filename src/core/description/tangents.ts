@@ -48,10 +48,10 @@ function sweep(tape: Int32Array, m: Float64Array, d: Float64Array): void {
         x = d[i]! - d[j]!;
         break;
       case code.mul:
-        x = d[i]! * m[j]! + m[i]! * d[j]!;
+        x = limited(d[i]!, m[j]!) + limited(m[i]!, d[j]!);
         break;
       case code.div:
-        x = (d[i]! - m[to]! * d[j]!) / m[j]!;
+        x = (d[i]! - limited(m[to]!, d[j]!)) / m[j]!;
         break;
       case code.neg:
         x = -d[i]!;
@@ -66,13 +66,16 @@ function sweep(tape: Int32Array, m: Float64Array, d: Float64Array): void {
   }
 }
 
+/** A slope of 0 times a rate without bound: what is made of an exponential beyond doubles is at its limit (`graph.ts`). */
+const limited = (x: number, y: number): number => (x === 0 || y === 0 ? 0 : x * y);
+
 /** Of functions: x and y their operands, f the value, dx and dy the rates. */
 function seldom(op: number, x: number, y: number, f: number, dx: number, dy: number): number {
   switch (op) {
     case code.sqrt:
       return (0.5 * dx) / f;
     case code.sin:
-      return Math.cos(x) * dx;
+      return limited(Math.cos(x), dx);
     case code.cos:
       return -Math.sin(x) * dx;
     case code.asin:
@@ -80,15 +83,15 @@ function seldom(op: number, x: number, y: number, f: number, dx: number, dy: num
     case code.acos:
       return -dx / Math.sqrt(1 - x * x);
     case code.atan:
-      return dx / (1 + x * x);
+      return limited(1 / (1 + x * x), dx);
     case code.sinh:
-      return Math.cosh(x) * dx;
+      return limited(Math.cosh(x), dx);
     case code.cosh:
-      return Math.sinh(x) * dx;
+      return limited(Math.sinh(x), dx);
     case code.tanh:
-      return (1 - f * f) * dx;
+      return limited(1 - f * f, dx);
     case code.exp:
-      return f * dx;
+      return limited(f, dx);
     case code.log:
       return dx / x;
     case code.log10:
@@ -102,7 +105,7 @@ function seldom(op: number, x: number, y: number, f: number, dx: number, dy: num
     case code.atan2:
       return (y * dx - x * dy) / (x * x + y * y);
     case code.pow:
-      return y * power(x, y - 1) * dx + (dy === 0 ? 0 : f * logarithm(x) * dy);
+      return limited(y * power(x, y - 1), dx) + (dy === 0 ? 0 : f * logarithm(x) * dy);
     default:
       return 0;
   }

@@ -146,8 +146,25 @@ export class FileOpener {
   private async readStudy(name: string, file: Blob): Promise<void> {
     const { files, settings, metas } = this.context;
     const { readStudyFile } = await import('./studyFile.ts');
-    files.actions.setStudy(await readStudyFile(name, file, metas));
+    this.reading?.abort();
+    const { signal } = (this.reading = new AbortController());
+    const onProgress = (share: number, rows: number): void => files.actions.setReading({ name, share, rows });
+    try {
+      files.actions.setStudy(await readStudyFile(name, file, metas, { signal, onProgress }));
+    } catch (error) {
+      if (!signal.aborted) throw error;
+      // Results that gave way to another file are no one's concern.
+      if (signal.reason === CANCELLED) this.tellUnread(name);
+      return;
+    } finally {
+      if (this.reading.signal === signal) files.actions.setReading(null);
+    }
     settings.actions.set('tool', 'study');
+  }
+
+  private tellUnread(name: string): void {
+    const kept = ['What was on the stage is still there.'];
+    this.context.messages.report('info', `${name} was not read to its end`, kept, undefined, 'opened');
   }
 
   /** A lesson opens beside the stage too. */
@@ -200,7 +217,7 @@ export class FileOpener {
 
   /** @param shown the motion on the stage that this is another reading of */
   private async read({ name, file, choices }: Table, shown: Motion | null = null): Promise<void> {
-    const { files, csv, messages, stage } = this.context;
+    const { files, csv, stage } = this.context;
     this.reading?.abort();
     const { signal } = (this.reading = new AbortController());
     const show = (share: number, rows: number): void => {
@@ -211,14 +228,7 @@ export class FileOpener {
     });
     if (!reading || signal.aborted) {
       // A reading that gave way to another is no one's concern.
-      if (signal.reason === CANCELLED || !shown)
-        messages.report(
-          'info',
-          `${name} was not read to its end`,
-          ['What was on the stage is still there.'],
-          undefined,
-          'opened',
-        );
+      if (signal.reason === CANCELLED || !shown) this.tellUnread(name);
       return;
     }
     if (shown && stage.motion.peek()?.id !== shown.id) return;

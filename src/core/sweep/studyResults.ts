@@ -44,9 +44,21 @@ export function studyResults(
   if (missing.length > 0) throw new Error(`it has no column "${missing[0]!}", which the results of a sweep have`);
   const index = columns.get('index')!;
   if (!(index instanceof Float64Array)) throw new Error('its column "index" holds words, not numbers');
+  const odd = oddIndex(index);
+  if (odd !== null) throw new Error(odd);
   if (columns.get('reason') instanceof Float64Array) throw new Error('its column "reason" holds numbers, not words');
   const shard = typeof facts.shard === 'string' ? facts.shard : '1/1';
   return { title, study, shard, engine: facts.engine ?? '', rows: index.length, columns };
+}
+
+/** Results of several shards are joined by their indices: none is there twice, none is broken. */
+function oddIndex(index: Float64Array): string | null {
+  const bad = index.findIndex((i) => !Number.isSafeInteger(i) || i < 0);
+  if (bad >= 0)
+    return `its column "index" holds ${index[bad]} in row ${bad + 1}, where a whole number is right; the file may be damaged`;
+  const sorted = Float64Array.from(index).sort();
+  const twice = sorted.findIndex((i, k) => k > 0 && i === sorted[k - 1]);
+  return twice < 0 ? null : `run ${sorted[twice]} is there twice: shards were joined twice, or the file is damaged`;
 }
 
 /**

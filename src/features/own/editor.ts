@@ -9,7 +9,7 @@ import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { EditorState, type Extension } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { drawSelection, EditorView, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { vocabulary, type DescriptionError } from '../../core/description/index.ts';
 import { words } from './words.ts';
@@ -26,7 +26,7 @@ const language = StreamLanguage.define<{ first: boolean }>({
   token(stream, state) {
     if (stream.sol()) state.first = true;
     if (stream.eatSpace()) return null;
-    if (stream.match(/^(?:#|%|\/\/).*/)) return 'comment';
+    if (stream.match(/^#.*/)) return 'comment';
     if (stream.match(/^"[^"]*"?/)) return 'string';
     if (stream.match(/^\[[^\]]*\]/)) return 'unit';
     if (stream.match(/^\d+\.?\d*(?:[eE][-+]?\d+)?|^\.\d+/)) return 'number';
@@ -103,11 +103,39 @@ function completion(names: Names) {
           type: 'function',
           detail: vocabulary.vectorFunctions.get(label) ?? '',
         })),
-        ...vocabulary.constants.map((label) => ({ label, type: 'constant' })),
+        ...vocabulary.constants.filter((label) => !names().has(label)).map((label) => ({ label, type: 'constant' })),
       ],
     };
   };
 }
+
+/** What the word under the pointer is: of a statement how it is written, of a name where it is defined. */
+const meaning = (names: Names) =>
+  hoverTooltip((view, at) => {
+    const line = view.state.doc.lineAt(at);
+    const found = [...line.text.matchAll(/[\p{L}_][\p{L}\p{N}_]*/gu)].find(
+      ({ index, 0: word }) => line.from + index <= at && at <= line.from + index + word.length,
+    );
+    if (!found) return null;
+    const [word] = found;
+    const known = names().get(word) ?? names().get(word.replace(/_dot$/, ''));
+    const first = line.text.slice(0, found.index).trim() === '';
+    const said =
+      (first ? statements.get(word)?.example : undefined) ??
+      (known ? words.defined(known.kind, known.line) : vocabulary.vectorFunctions.get(word));
+    if (said === undefined) return null;
+    const pos = line.from + found.index;
+    return {
+      pos,
+      end: pos + word.length,
+      create: () => {
+        const dom = document.createElement('div');
+        dom.textContent = said;
+        dom.style.padding = '2px 8px';
+        return { dom };
+      },
+    };
+  });
 
 export interface TextEditor {
   readonly text: string;
@@ -135,6 +163,7 @@ export function createEditor(
     syntaxHighlighting(colours),
     theme,
     lintGutter(),
+    meaning(names),
     autocompletion({ override: [completion(names)], icons: false }),
     keymap.of([...completionKeymap, ...historyKeymap, ...defaultKeymap]),
     EditorView.contentAttributes.of({

@@ -101,7 +101,7 @@ export function OwnTool() {
   const editing = id ?? begun.value;
   const title = now.kind === 'fine' || now.kind === 'untouched' ? now.title : '';
   return (
-    <div class="own" data-testid="own">
+    <div class="scroll own" data-testid="own">
       <p class="hint">{words.intro}</p>
       <div class="own-bar">
         <label>

@@ -8,6 +8,7 @@ export const words = {
   save: 'Save as a file',
   duplicate: (title: string) => `Duplicate ${title}`,
   editor: 'Description of your own system',
+  defined: (kind: string, line: number) => `${kind} of line ${line}`,
   fine: (title: string) => `${title} is in the panel and on the stage.`,
   untouched: (title: string) => `This is ${title}, typed. Change a line, and the system is yours.`,
   empty: 'Nothing is typed yet.',

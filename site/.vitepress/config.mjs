@@ -50,7 +50,7 @@ export default defineConfig({
   markdown: {
     anchor: { slugify: slug },
     attrs: { disable: true }, // braces belong to formulas
-    theme: { light: 'github-light', dark: 'github-dark' },
+    theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     languageAlias: { mjcf: 'xml' },
     config: (md) => documents(md, data, files),
   },

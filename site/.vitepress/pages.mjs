@@ -47,11 +47,12 @@ const GROUPS = [
       ...docs('adding-a-feature adding-a-system dependencies'),
       'CONTRIBUTING.md',
       'CHANGELOG.md',
+      'docs/decisions/README.md',
     ],
-    folded: true,
   },
-  { title: 'Decisions', pages: ['docs/decisions/README.md', ...listed('docs/decisions')], folded: true },
 ];
+/** The list on the pages of the decisions. */
+const DECISIONS = { title: 'Decisions', pages: ['docs/decisions/README.md', ...listed('docs/decisions')] };
 
 /** Titles in the list where the page's own is too long for it. */
 const SHORT = {
@@ -60,10 +61,10 @@ const SHORT = {
   'docs/lessons.md': 'Writing a lesson',
   'docs/control.md': 'Control',
   'docs/csv-format.md': 'CSV files',
-  'docs/decisions/README.md': 'All decisions',
+  'docs/decisions/README.md': 'Decisions',
 };
 
-export const pages = new Set(['site/index.md', ...GROUPS.flatMap((group) => group.pages)]);
+export const pages = new Set(['site/index.md', ...[...GROUPS, DECISIONS].flatMap((group) => group.pages)]);
 
 /** @throws Error where a page is missing, or a document stands in no list */
 export function checkPages() {
@@ -92,14 +93,20 @@ export const addressOf = (page) => MOVED[page] ?? page;
 
 export const rewrites = MOVED;
 
-export const sidebar = () =>
-  GROUPS.map(({ title, pages: own, folded }) => ({
-    text: title,
-    ...(folded ? { collapsed: true } : {}),
-    items: own.map((page) => ({
-      text: SHORT[page] ?? titleOf(page),
-      link: `/${addressOf(page)
-        .replace(/index\.md$/, '')
-        .replace(/\.md$/, '.html')}`,
-    })),
-  }));
+const groupOf = ({ title, pages: own }) => ({
+  text: title,
+  items: own.map((page) => ({
+    text: SHORT[page] ?? titleOf(page),
+    link: `/${addressOf(page)
+      .replace(/index\.md$/, '')
+      .replace(/\.md$/, '.html')}`,
+  })),
+});
+
+export const sidebar = () => ({
+  '/': GROUPS.map(groupOf),
+  '/docs/decisions/': [
+    groupOf(DECISIONS),
+    { text: 'Documents', items: [{ text: SHORT['README.md'], link: '/start.html' }] },
+  ],
+});

@@ -7,6 +7,8 @@ import { expect, test } from 'vitest';
 import { anywhere } from '../../scripts/site/anywhere.mjs';
 // @ts-expect-error a script without types
 import { deadLinks } from '../../scripts/site/links.mjs';
+// @ts-expect-error a script without types
+import { checkPages, pages } from '../../site/.vitepress/pages.mjs';
 
 function site(files: Readonly<Record<string, string>>): (path: string) => string {
   const folder = mkdtempSync(join(tmpdir(), 'site-'));
@@ -51,4 +53,9 @@ test('links without a file, without a place, bound to one folder or fetched from
     'index.html: /docs/ works from one folder only',
     'index.html: https://example.org/x.png is fetc',
   ]);
+});
+
+test('every document has a place in the list of the site', () => {
+  expect((pages as Set<string>).size).toBeGreaterThan(60);
+  expect(checkPages).not.toThrow();
 });

@@ -3,15 +3,18 @@ import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { ChartView } from '../../charts/chartView.tsx';
 import { cells, scaleColour } from '../../charts/marks.ts';
-import type { TurnMap } from '../../core/control/path/turnMap.ts';
+import type { TurnMap, TurnOrders } from '../../core/control/path/turnMap.ts';
 import { words as plain } from '../../core/motion/symbols.ts';
+import type { InputMeta } from '../../core/model/system.ts';
 import { useUi } from '../../ui/context.ts';
+import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { words } from './words.ts';
 
 const ASKER = 'turns';
 
 export function TurnsBody() {
-  const { app } = useUi();
+  const ui = useUi();
+  const { app } = ui;
   const map = useSignal<TurnMap | null>(null);
   const problem = useSignal('');
   const computing = useSignal(false);
@@ -81,9 +84,30 @@ export function TurnsBody() {
               });
             }}
           />
+          {shown.orders && (
+            <p data-testid="turn-orders">{ordersLine(shown.orders, ui.system.value?.meta.inputs ?? [])}</p>
+          )}
         </>
       )}
     </div>
+  );
+}
+
+/** That the orders of linearizing and eliminating agree under the inputs that hold a turn, and what freezing does. */
+function ordersLine(
+  { radius, speed, u0, difference, frozenDifference }: TurnOrders,
+  inputs: readonly InputMeta[],
+): string {
+  const held = Object.entries(u0).map(([name, value]) => {
+    const input = inputs.find((i) => i.name === name);
+    return `${input?.label ?? name} ${formatShort(value, 3)} ${input?.unit ?? ''}`.trim();
+  });
+  return words.turnOrders(
+    formatShort(radius, 3),
+    formatShort(speed, 3),
+    held.join(', '),
+    formatScientific(difference),
+    formatShort(frozenDifference, 3),
   );
 }
 

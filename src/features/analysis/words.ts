@@ -111,6 +111,8 @@ export const words = {
   turnEffort: 'largest input that holds it, N·m',
   turnRadius: 'radius, m',
   turnSpeed: 'speed, m/s',
+  turnOrders: (radius: string, speed: string, held: string, same: string, frozen: string) =>
+    `Eliminating and linearizing commute under inputs too: on a turn of ${radius} m at ${speed} m/s, held by ${held}, the two orders differ by ${same}; with the constraints frozen the difference is ${frozen}.`,
   turnsMap: (title: string) => `Steady turns over radius and speed: ${title}`,
   program: 'Save the controller as a program, with a test vector',
   programFormats: { c: 'C', python: 'Python', matlab: 'MATLAB', json: 'JSON' },

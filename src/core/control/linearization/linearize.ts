@@ -40,6 +40,8 @@ interface Pieces {
   D: Matrix;
   Omega: Matrix;
   C: Matrix;
+  /** Of Omega a + dOmega/dt v, by q and by v: 0 and C where the motion is steady in itself, and so left out. */
+  rates?: { byQ: Matrix; byV: Matrix };
   inputs: Matrix;
 }
 
@@ -88,7 +90,8 @@ export function linearizeWithMultipliers(motion: SteadyMotion, inputs: readonly 
 export function linearizeFrozen(motion: SteadyMotion, inputs: readonly InputMeta[]): Linearization {
   if (motion.dynamics.system.firstOrder) return ofFirstOrder(motion);
   const p = piecesAt(motion, inputs);
-  return eliminated(motion, inputs, { ...p, C: Matrix.zeros(p.C.rows, p.C.columns) });
+  const { rates: _, ...rest } = p;
+  return eliminated(motion, inputs, { ...rest, C: Matrix.zeros(p.C.rows, p.C.columns) });
 }
 
 /** `q' = f(q)`: no constraints, no inputs, one order. */
@@ -132,17 +135,17 @@ export function compareOrders(motion: SteadyMotion, inputs: readonly InputMeta[]
 function piecesAt(motion: SteadyMotion, inputs: readonly InputMeta[]): Pieces {
   const { dynamics: d, q, v, lambda } = motion;
   const { n, m, parameters } = d;
-  const zero = new Float64Array(n);
+  const { acceleration = new Float64Array(n) } = motion;
   const square = (): Float64Array => new Float64Array(n * n);
   const rows = (): Float64Array => new Float64Array(m * n);
   const [dq, dv, forceQ] = [square(), square(), square()];
   const [rateQ, rateV, velocityQ] = [rows(), rows(), rows()];
   d.evaluate(0, q, v);
-  d.system.jacobians(q, v, zero, parameters, dq, dv);
-  d.constraints?.jacobians(q, v, zero, lambda, parameters, forceQ, rateQ, rateV, velocityQ);
+  d.system.jacobians(q, v, acceleration, parameters, dq, dv);
+  d.constraints?.jacobians(q, v, acceleration, lambda, parameters, forceQ, rateQ, rateV, velocityQ);
   for (const i of d.held) {
     for (const x of [dq, dv, forceQ]) x.fill(0, i * n, (i + 1) * n);
-    for (let r = 0; r < m; r++) velocityQ[r * n + i] = 0;
+    for (let r = 0; r < m; r++) for (const x of [velocityQ, rateQ, rateV]) x[r * n + i] = 0;
   }
   return {
     M: fromRowMajor(d.massMatrix, n, n),
@@ -151,6 +154,7 @@ function piecesAt(motion: SteadyMotion, inputs: readonly InputMeta[]): Pieces {
     D: fromRowMajor(dv, n, n),
     Omega: fromRowMajor(d.omega, m, n),
     C: fromRowMajor(velocityQ, m, n),
+    ...(motion.acceleration && { rates: { byQ: fromRowMajor(rateQ, m, n), byV: fromRowMajor(rateV, m, n) } }),
     inputs: inputColumns(motion, inputs),
   };
 }
@@ -167,23 +171,26 @@ function inputColumns({ dynamics: d }: SteadyMotion, inputs: readonly InputMeta[
   return columns;
 }
 
-/** dv' = T w + P (-C dv), P = Omega^T (Omega Omega^T)^-1: w from the equations of motion times T^T. */
+/** dv' = T w - P (C dv), P = Omega^T (Omega Omega^T)^-1 (with `rates` those in place of C): w from the equations of motion times T^T. */
 function eliminated(motion: SteadyMotion, inputs: readonly InputMeta[], p: Pieces): Linearization {
   const n = motion.dynamics.n;
   const T = columnSpace(p.Omega.transpose(), RANK * Math.max(1, p.Omega.isEmpty() ? 0 : p.Omega.norm())).complement;
-  let drift = Matrix.zeros(n, n);
-  if (p.Omega.rows > 0) {
-    const along = solveLinear(p.Omega.mmul(p.Omega.transpose()), p.C);
-    if (!along) throw new ControlError('the constraints are dependent at this point');
-    drift = p.Omega.transpose().mmul(along);
-  }
-  const forces = besides(besides(Matrix.mul(p.stiffness, -1), Matrix.sub(p.M.mmul(drift), p.D)), p.inputs);
+  const along = (rows: Matrix): Matrix => {
+    if (p.Omega.rows === 0) return Matrix.zeros(n, n);
+    const solved = solveLinear(p.Omega.mmul(p.Omega.transpose()), rows);
+    if (!solved) throw new ControlError('the constraints are dependent at this point');
+    return p.Omega.transpose().mmul(solved);
+  };
+  const drift = along(p.rates?.byV ?? p.C);
+  const driftQ = p.rates ? along(p.rates.byQ) : Matrix.zeros(n, n);
+  const byQ = Matrix.sub(p.M.mmul(driftQ), p.stiffness);
+  const forces = besides(besides(byQ, Matrix.sub(p.M.mmul(drift), p.D)), p.inputs);
   const w = solveLinear(T.transpose().mmul(p.M).mmul(T), T.transpose().mmul(forces));
   if (!w) throw new ControlError('the mass matrix is singular at this point');
   const a = T.mmul(w);
   const A = Matrix.zeros(2 * n, 2 * n);
   A.setSubMatrix(Matrix.eye(n), 0, n);
-  A.setSubMatrix(a.subMatrix(0, n - 1, 0, 2 * n - 1), n, 0);
+  A.setSubMatrix(Matrix.sub(a.subMatrix(0, n - 1, 0, n - 1), driftQ), n, 0);
   A.setSubMatrix(Matrix.sub(a.subMatrix(0, n - 1, n, 2 * n - 1), drift), n, n);
   const B = Matrix.zeros(2 * n, inputs.length);
   if (inputs.length > 0) B.setSubMatrix(a.subMatrix(0, n - 1, 2 * n, 2 * n + inputs.length - 1), n, 0);

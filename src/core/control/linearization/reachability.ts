@@ -84,7 +84,10 @@ export function splitByReachability(
     middle,
     sizes?.map((size) => size / middle.unit),
   );
-  return byModes ? splitAt(A, B, middle, byModes) : split;
+  if (!byModes) return split;
+  const modal = splitAt(A, B, middle, byModes);
+  // A mode that grows with its rounding alone is none that no input reaches.
+  return leavesGrowing(modal) && !leavesGrowing(split) ? split : modal;
 }
 
 /** Weak stages whose product is below this are decided by rounding, as far as the staircase can tell. */

@@ -16,6 +16,8 @@ export interface SteadyMotion {
   readonly q: Float64Array;
   readonly v: Float64Array;
   readonly lambda: Float64Array;
+  /** Accelerations, where it is steady only as seen from the vehicle (a turn); left out they are zero. */
+  readonly acceleration?: Float64Array;
   /** Names of the coordinates that move. */
   readonly moving: readonly string[];
   /** What the consistent start changed of what was asked for. */

@@ -223,8 +223,9 @@ class TurnSearch {
       this.forcing(fixed),
     );
     const lambda = new Float64Array(dynamics.m);
-    dynamics.acceleration(0, q, v, new Float64Array(q.length), lambda);
-    const motion: SteadyMotion = { ...straight, dynamics, q: q.slice(), v: v.slice(), lambda };
+    const acceleration = new Float64Array(q.length);
+    dynamics.acceleration(0, q, v, acceleration, lambda);
+    const motion: SteadyMotion = { ...straight, dynamics, q: q.slice(), v: v.slice(), lambda, acceleration };
     const whole = turning(linearize(motion, inputs), plane, curvature * speed);
     const linearization = alongside(whole, plane, curvature * speed);
     return { motion, speed, curvature, u0: fixed, linearization, whole };

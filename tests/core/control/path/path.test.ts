@@ -116,6 +116,14 @@ describe('steady turns of the board', () => {
     expect(swings.map(([, im]) => Math.abs(im))).toEqual([expect.closeTo(1.5, 6), expect.closeTo(1.5, 6)]);
   });
 
+  test.each([0.5, 1, -1])('commute too, held by inputs, at a curvature of %f 1/m', (curvature) => {
+    const { motion, u0 } = steadyTurn(plant, { X_dot: 1 }, curvature, MOTORS);
+    const { difference, frozenDifference } = compareOrders(motion, MOTORS);
+    expect(Math.min(...u0.map(Math.abs))).toBeGreaterThan(0.05);
+    expect(difference).toBeLessThan(1e-9);
+    expect(frozenDifference).toBeGreaterThan(100);
+  });
+
   test('are refused where drag stops them, and by inputs along the axes of the ground', () => {
     const dragged = plantOf(scenarioOf({ version: 1, system: 'ripstik', parameters: { wheelDrag: 0.5 } }), system);
     expect(() => steadyTurn(dragged, { X_dot: 1 }, 1, MOTORS)).toThrow(/no steady motion/);
@@ -162,7 +170,9 @@ test('eliminating and linearizing commute under control forces too, as long as t
 test('the map of turns: the wide ones are going straight, and what is no turn is left out', () => {
   const control = { type: 'lqr', inputs: ['tau_fc', 'tau_bc'], at: { X_dot: 1 } };
   const scenario = scenarioOf({ version: 1, system: 'ripstik', control });
-  const { growth, effort } = turnMap(scenario, system, () => {}, [1, 100], [1]);
+  const { growth, effort, orders } = turnMap(scenario, system, () => {}, [1, 100], [1]);
+  expect(orders).toMatchObject({ radius: 1, speed: 1, u0: { tau_fc: expect.closeTo(0.1962, 4) as number } });
+  expect(orders!.difference).toBeLessThan(1e-9);
   expect(growth[0]![1]).toBeCloseTo(9.372, 2);
   expect(effort[0]![0]).toBeGreaterThan(10 * effort[0]![1]!);
   const dragged = scenarioOf({ version: 1, system: 'ripstik', parameters: { wheelDrag: 0.5 } });

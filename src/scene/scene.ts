@@ -1,5 +1,6 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
-import { Color, Fog, Scene, Vector3 } from 'three';
+import { BoxGeometry, Color, Fog, Group, Mesh, MeshBasicMaterial, Scene, Vector3 } from 'three';
+import type { Gates } from './actors/gates.ts';
 import { CameraRig } from './camera/camera.ts';
 import type { Frame, SceneOptions, ScreenBox, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './environment/device.ts';
@@ -58,6 +59,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   });
   room.set(options.quality ?? 'auto');
   const haste = new Haste(software);
+  /** Loaded with the first of them. */
+  let gates: Gates | null = null;
   let hasty = false;
   let quality = options.quality ?? 'auto';
 
@@ -261,8 +264,12 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       requestRender();
     },
     setGates(list) {
-      parts.gates.set(list);
-      requestRender();
+      if (list.length > 0 || gates)
+        void import('./actors/gates.ts').then(({ Gates }) => {
+          gates ??= new Gates(scene, palette, { BoxGeometry, Group, Mesh, MeshBasicMaterial });
+          gates.set(list, focus.plan.floor);
+          requestRender();
+        });
     },
     setView(name) {
       view = name;
@@ -305,6 +312,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       background.set(palette.background);
       fog.color.set(palette.background);
       parts.setPalette(palette);
+      gates?.setPalette(palette);
       show();
     },
     setReducedMotion: (reduced) => rig.setReducedMotion(reduced),
@@ -360,6 +368,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       disposed = true;
       cancelAnimationFrame(requested);
       stopWatching();
+      gates?.dispose();
       for (const part of [pushDrag, rig, room, parts]) part.dispose();
       renderer.dispose();
     },

@@ -1,4 +1,5 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
+import { posesFor } from './figure.ts';
 import { untracked } from '@preact/signals';
 import { drawnSettings } from '../app/state/settings.ts';
 import { keyTimes } from '../app/files/exportPlan.ts';
@@ -68,7 +69,7 @@ export async function openShot(
     view.setTrails(sampler.tracks());
     view.setFrame({
       time,
-      poses: sampler.poses,
+      poses: posesFor(dressed.cast!, motion, sampler.poses),
       wheelAngles: sampler.wheelAngles,
       forces: forces ? sampler.forces(time) : [],
     });
@@ -129,7 +130,7 @@ export async function writeGlb(
     },
     at(time) {
       sampler.sample(time);
-      return sampler;
+      return { poses: posesFor(dressed.cast!, motion, sampler.poses), wheelAngles: sampler.wheelAngles };
     },
     pause(keys) {
       if (!pace.over) return null;

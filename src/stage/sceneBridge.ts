@@ -6,6 +6,7 @@ import type { ExportRenderer } from '../app/files/exportRenderer.ts';
 import type { Stage } from '../app/runs/stage.ts';
 import type { App } from '../app/app.ts';
 import { loadDrawing, shapedBy } from '../core/systems/registry.ts';
+import { drawnAs, posesFor } from './figure.ts';
 import type { Dressed, MeshPair, SceneOptions, SceneView } from '../scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
@@ -71,7 +72,7 @@ export async function connectScene(
     view.setTrails(sampler.tracks());
     view.setFrame({
       time,
-      poses: sampler.poses,
+      poses: posesFor(dressed.value.cast!, motion, sampler.poses),
       wheelAngles: sampler.wheelAngles,
       forces: state.showForces.value ? sampler.forces(time) : [],
     });
@@ -164,6 +165,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
     const own = app.state.meshes.value;
     if (!motion) return;
     const { id } = motion.system.meta;
+    const drawn = drawnAs(motion, app.state.showRider.value);
     if (motion.system.meta.bodies.length === 0) {
       // Data: nothing is drawn, and what would come of a motion before does not come.
       wearing = '';
@@ -172,14 +174,14 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
       return;
     }
     const shape = shapedBy(id)?.map((name) => motion.parameters[name]) ?? motion.parameters;
-    const key = JSON.stringify([id, shape, [...own]]);
+    const key = JSON.stringify([id, drawn.id, shape, [...own]]);
     if (key === wearing) return;
     wearing = key;
     const now = ++turn;
     // New proportions follow their first picture: the motion answers at once, and only the last of many edits is drawn anew.
     const ready = dressed.peek().system === id ? pictureDrawn() : Promise.resolve();
     void ready
-      .then(() => (now === turn ? loadDrawing(motion.system.meta, motion.parameters) : null))
+      .then(() => (now === turn ? loadDrawing(drawn, motion.parameters) : null))
       .then(
         (drawing) => {
           if (now !== turn || !drawing) return;
@@ -188,11 +190,11 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
             const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
             const named = bodies.map((body) => ({
               ...body,
-              label: motion.system.meta.bodies.find((b) => b.id === body.id)?.label ?? body.id,
+              label: drawn.bodies.find((b) => b.id === body.id)?.label ?? body.id,
             }));
             const [models, cast] = [
               Object.fromEntries(worn) as Record<string, MeshPair>,
-              { id, bodies: named, fixtures, stage },
+              { id: drawn.id, bodies: named, fixtures, stage },
             ];
             view.setModels(models, cast);
             good = own;

@@ -44,6 +44,7 @@ export const text = {
     frames: 'Axes of bodies',
     inset: 'Front caster in a corner',
     insetTitle: 'Front caster',
+    rider: 'Somebody on the board',
     level: 'Keep the horizon level',
     forceScale: 'Length of force arrows',
     perNewton: (cm: string) => `${cm} centimetres per newton`,

@@ -73,6 +73,8 @@ export const SETTINGS = {
   showFrames: setting(false, flag, { stored: 'look.frames', drawn: 'frames' }),
   /** The close-up in a corner, where the system has one. */
   showInset: setting(false, flag, { stored: 'look.inset' }),
+  /** Somebody on a board that is computed without a rider. */
+  showRider: setting(false, flag, { stored: 'look.rider', sparse: true }),
   /** From aboard, the horizon stays level. */
   levelHorizon: setting(true, flag, { stored: 'look.level', drawn: 'level' }),
   quality: setting<Quality>('auto', oneOf('auto', 'low', 'high'), { stored: 'look.quality' }),

@@ -211,6 +211,8 @@ export interface SystemMeta {
   regulators?: readonly string[];
   /** Feet that pump: the inputs whose targets a gait gives (front, back), the parameter that is each wheel's drag (N·s/m), what a rider holds still meanwhile. */
   gait?: { feet: readonly [string, string]; drag?: string; hold?: readonly string[] };
+  /** A system whose drawing has one body more, somebody who stands upright on this one, with the centre of mass so high above body 0 (m). */
+  rider?: { drawnAs: string; height: number };
   bodies: readonly BodyMeta[];
   /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
   optionalForces?: readonly string[];

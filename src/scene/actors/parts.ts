@@ -3,7 +3,6 @@ import type { Scene } from 'three';
 import { Bodies } from './bodies.ts';
 import type { StagePlan, Switches } from '../contract.ts';
 import { Forces } from '../overlay/forces.ts';
-import { Gates } from './gates.ts';
 import { Ghosts } from './ghosts.ts';
 import { Ground } from '../environment/ground.ts';
 import { Handle } from '../overlay/handle.ts';
@@ -20,7 +19,6 @@ export class Parts {
   readonly labels: Labels;
   readonly bodies: Bodies;
   readonly ghosts: Ghosts;
-  readonly gates: Gates;
   readonly trails: Trails;
   readonly forces: Forces;
   readonly handle: Handle;
@@ -32,7 +30,6 @@ export class Parts {
     this.labels = new Labels(scene, palette);
     this.bodies = new Bodies(scene, palette);
     this.ghosts = new Ghosts(scene, palette, this.bodies);
-    this.gates = new Gates(scene, palette);
     this.trails = new Trails(scene, palette);
     this.forces = new Forces(scene, palette);
     this.handle = new Handle(scene, palette);
@@ -40,8 +37,8 @@ export class Parts {
   }
 
   setPalette(palette: Palette): void {
-    const { lights, ground, labels, ghosts, gates, trails, forces, handle, marks } = this;
-    for (const part of [lights, ground, labels, ghosts, gates, trails, forces, handle, marks]) part.setPalette(palette);
+    const { lights, ground, labels, ghosts, trails, forces, handle, marks } = this;
+    for (const part of [lights, ground, labels, ghosts, trails, forces, handle, marks]) part.setPalette(palette);
     this.bodies.setLook(palette, lights.hasRoom);
   }
 
@@ -51,7 +48,6 @@ export class Parts {
     this.ground.setPlan(floor, size, unit);
     this.labels.setPlan(floor, unit);
     this.trails.setPlan(floor, size);
-    this.gates.setPlan(floor);
   }
 
   setShadows(shown: boolean): void {
@@ -81,7 +77,7 @@ export class Parts {
   }
 
   dispose(): void {
-    const { lights, ground, labels, ghosts, gates, bodies, trails, forces, handle, marks } = this;
-    for (const part of [lights, ground, labels, ghosts, gates, bodies, trails, forces, handle, marks]) part.dispose();
+    const { lights, ground, labels, ghosts, bodies, trails, forces, handle, marks } = this;
+    for (const part of [lights, ground, labels, ghosts, bodies, trails, forces, handle, marks]) part.dispose();
   }
 }

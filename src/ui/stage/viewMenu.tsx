@@ -10,7 +10,8 @@ import { text } from '../words.ts';
 const words = text.viewMenu;
 
 export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden: boolean; forced: boolean }) {
-  const { state, actions } = useUi().app;
+  const ui = useUi();
+  const { state, actions } = ui.app;
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);
   const id = useId();
@@ -58,6 +59,14 @@ export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden
         <CheckOf id="names" checked={state.showNames.value} />
         <CheckOf id="frames" checked={state.showFrames.value} />
         {closeUp && <CheckOf id="inset" checked={state.showInset.value} />}
+        {ui.system.value?.meta.rider && (
+          <Check
+            label={words.rider}
+            checked={state.showRider.value}
+            testId="look-rider"
+            onChange={(shown) => actions.set('showRider', shown)}
+          />
+        )}
         {ridden && state.view.value === 'rider' && <CheckOf id="level" checked={state.levelHorizon.value} />}
         {forced && <ForceScale />}
         <Choice

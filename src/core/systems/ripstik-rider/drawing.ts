@@ -6,19 +6,27 @@ import type { Part } from '../../geometry/wavefront.ts';
 import { draw as drawBoard } from '../ripstik/drawing.ts';
 
 /**
- * The board, and on it a rider whose soles stand on the plates where ankles and lean are at zero.
+ * The board, and on it a rider: the shoes are fast on the plates and turn with them under the ankles, which stay where they are
+ * at zero roll.
  *
  * @param p parameters by name, SI
  */
 export function draw(p: Value): Sketch {
   const board = drawBoard(p);
+  const [height, thickness] = [sizeOf(p('riderHeight', 0.9)), sizeOf(p('plateThickness'))];
+  const shod = (name: 'front-plate' | 'back-plate') => {
+    const plate = board.bodies[name]!;
+    return { ...plate, parts: [...plate.parts, shoe(height, thickness)] };
+  };
   return {
     ...board,
     bodies: {
       ...board.bodies,
+      'front-plate': shod('front-plate'),
+      'back-plate': shod('back-plate'),
       rider: {
         about: 'Rider: origin at the centre of mass, x forward along the board, z up along the body.',
-        parts: riderParts(sizeOf(p('riderHeight', 0.9)), sizeOf(p('plateOffset', 0.26)), sizeOf(p('plateThickness'))),
+        parts: riderParts(height, sizeOf(p('plateOffset', 0.26)), thickness),
       },
     },
   };
@@ -29,6 +37,27 @@ const both = (make: (side: 1 | -1) => Triangle[]): Triangle[] => [...make(1), ..
 /** Height of the centre of mass over the soles (m) at which the measures below are in metres. */
 const MEASURED_AT = 0.875;
 
+/** Metres in a measured metre. */
+const scaleOf = (height: number, thickness: number): number =>
+  Math.max(height - thickness / 2, 0.1 * height) / MEASURED_AT;
+
+/** On the top of a plate, heel to the left and toes to the right, in the plate's axes. */
+function shoe(height: number, thickness: number): Part {
+  const k = scaleOf(height, thickness);
+  const at = (y: number, z: number): Vec3 => [0, k * y, thickness / 2 + k * z];
+  const [heel, toe, ankle] = [at(0.06, 0.042), at(-0.11, 0.034), at(0.03, 0.085)];
+  return {
+    group: 'shoe',
+    material: 'grip',
+    triangles: [
+      ...tube(heel, toe, k * 0.042, 16, k * 0.034),
+      ...ball(heel, k * 0.042, 10),
+      ...ball(toe, k * 0.034, 10),
+      ...ball(ankle, k * 0.05, 12),
+    ],
+  };
+}
+
 /**
  * A figure of tubes and balls that stands sideways, left foot ahead and chest to the right, and looks ahead.
  *
@@ -38,7 +67,7 @@ const MEASURED_AT = 0.875;
  */
 function riderParts(height: number, stance: number, thickness: number): Part[] {
   const sole = thickness / 2 - height;
-  const k = Math.max(-sole, 0.1 * height) / MEASURED_AT;
+  const k = scaleOf(height, thickness);
   /** Point with y to the back of the body and z above the soles, as measured. */
   const at = (x: number, y: number, z: number): Vec3 => [k * x, k * y, sole + k * z];
   const ahead = (side: number, share: number): number => (side * share * stance) / k;
@@ -53,10 +82,6 @@ function riderParts(height: number, stance: number, thickness: number): Part[] {
       ...ball(hip, k * 0.085, 12),
       ...limb([hip, at(ahead(side, 0.92), -0.13, 0.43), at(ahead(side, 1), 0.03, 0.09)], 0.082, 0.045),
     ];
-  };
-  const foot = (side: 1 | -1): Triangle[] => {
-    const [heel, toe] = [at(ahead(side, 1), 0.06, 0.042), at(ahead(side, 1), -0.11, 0.034)];
-    return [...tube(heel, toe, k * 0.042, 16, k * 0.034), ...ball(heel, k * 0.042, 10), ...ball(toe, k * 0.034, 10)];
   };
   const arm = (side: 1 | -1): Triangle[] => {
     const shoulder = at(0.18 * side, -0.02, 1.27);
@@ -79,7 +104,6 @@ function riderParts(height: number, stance: number, thickness: number): Part[] {
         ...both(arm),
       ],
     },
-    { group: 'shoes', material: 'grip', triangles: both(foot) },
     {
       group: 'head',
       material: 'paint',

@@ -6,7 +6,7 @@ const ankle = 'stiff ankles of a standing person, rounded';
 
 // Lean is measured in the pitched frame, not from the rod, so the charts that carry a free board past pitch ±90° do not
 // apply; and files without a header row are the board's.
-const { attitude: _attitude, headerless: _headerless, ...board } = ripstikMeta;
+const { attitude: _attitude, headerless: _headerless, rider: _rider, ...board } = ripstikMeta;
 
 /** The board and a rider who leans by `beta` on it: six bodies, eleven coordinates, four multipliers. */
 export const ripstikRiderMeta = {

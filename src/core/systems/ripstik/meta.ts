@@ -278,6 +278,7 @@ export const ripstikMeta = {
       tracks: ['theta_bc'],
     },
   ],
+  rider: { drawnAs: 'ripstik-rider', height: 0.9 },
   gait: { feet: ['tau_fp', 'tau_bp'], drag: 'wheelDrag' },
   regulators: ['tau_fc', 'tau_bc'],
   forward: { along: ['X_dot', 'Y_dot'], heading: 'theta' },

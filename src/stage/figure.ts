@@ -1,0 +1,27 @@
+/** Somebody on a board that is computed without a rider: seen, and no part of the run. */
+import type { Motion } from '../app/runs/motion.ts';
+import { systemViews } from '../core/systems/registry.ts';
+import type { SystemMeta } from '../core/model/system.ts';
+import type { Cast } from '../scene/contract.ts';
+import { rolledOn } from '../core/systems/rolledOn.ts';
+
+/** What a motion is drawn as: the same system, or that of the board with its rider on it. */
+export const drawnAs = ({ system }: Motion, rider: boolean): SystemMeta =>
+  (rider && systemViews[system.meta.rider?.drawnAs ?? '']?.meta) || system.meta;
+
+/**
+ * The poses of all that is drawn of a motion: of its bodies, and of somebody who stands upright on a board, where there is one.
+ *
+ * @param cast on the stage
+ * @param motion that is drawn
+ * @param poses 12 numbers a body, of its own bodies
+ */
+export function posesFor({ bodies }: Pick<Cast, 'bodies'>, { system }: Motion, poses: Float64Array): Float64Array {
+  const { rider } = system.meta;
+  if (!rider || bodies.length <= system.meta.bodies.length) return poses;
+  const out = new Float64Array(12 * bodies.length);
+  out.set(poses);
+  // The carrier's own roll is taken back: plates turn under the feet.
+  rolledOn(out, 0, bodies.length - 1, -Math.atan2(poses[10]!, poses[11]!), 0, rider.height);
+  return out;
+}

@@ -40,7 +40,7 @@ for (const { id } of methods.filter((m) => m.adaptive)) {
     for (let n = 0; n < 40; n++) {
       const rate = between(0.5, 5);
       const steep = between(0.1, 10);
-      const depth = 10 ** between(-8, -1);
+      const depth = 10 ** between(-12, -1);
       const half = Math.sqrt(depth / steep);
       const top = rate * between(0.5, 9.5);
       const touch = (top - half) / rate;
@@ -71,5 +71,22 @@ test('a dip is found wherever it is, and only where it is', () => {
       if (sign > 0) expect(found).toBe(null);
       else expect(value(found!), `run ${n}`).toBeLessThanOrEqual(0);
     }
+  }
+});
+
+test('of two dips the first that touches is found, and the second where the first does not', () => {
+  for (let n = 0; n < 500; n++) {
+    const first = between(0.05, 0.7);
+    const second = first + between(0.2, 0.9 - first > 0.2 ? 0.95 - first : 0.25);
+    const depth = 10 ** between(-9, -4);
+    const dips = (touches: readonly boolean[]) => (t: number) =>
+      ((t - first) * (t - second)) ** 2 + depth * (t < (first + second) / 2 === touches[0] ? -1 : 1);
+    const find = (value: (t: number) => number): number | null => dipBetween(value, 0, value(0), 1, value(1));
+    const both = (t: number): number => ((t - first) * (t - second)) ** 2 - depth;
+    const said = `${first}, ${second}, depth ${depth}`;
+    const middle = (first + second) / 2;
+    expect(find(both)!, said).toBeLessThan(middle);
+    expect(find(dips([true]))!, said).toBeLessThan(middle);
+    expect(find(dips([false]))!, said).toBeGreaterThan(middle);
   }
 });

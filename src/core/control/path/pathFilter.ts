@@ -147,7 +147,15 @@ function seenPart(
   return observedPlant(whole, new Matrix(rows), ofRows, WEAKEST);
 }
 
-/** A row by places and velocities of the ground, in place, to one by those along and across a path that heads (c, s). */
+/**
+ * A row by places and velocities of the ground, in place, to one by those along and across a path.
+ *
+ * @param row coefficients of all coordinates, then of their rates (2n)
+ * @param plane which coordinates are place and heading
+ * @param n number of coordinates
+ * @param c cosine of the path's heading
+ * @param s sine of the path's heading
+ */
 export function alongThePath(row: Float64Array | number[], plane: Plane, n: number, c: number, s: number): void {
   for (const offset of [0, n]) {
     const [x, y] = [row[offset + plane.x]!, row[offset + plane.y]!];

@@ -140,6 +140,7 @@ export interface KalmanFilter {
 }
 
 /**
+ * @param plant the part of the linear system that its sensors see
  * @param intensities of the process noise, by state (2n)
  * @param densities of the sensors' noise, per √Hz
  */
@@ -163,6 +164,7 @@ export function continuousKalman(
 }
 
 /**
+ * @param plant the part of the linear system that its sensors see
  * @param intensities of the process noise, by state (2n)
  * @param deviations of the sensors' noise per sample
  * @param h sample time, s

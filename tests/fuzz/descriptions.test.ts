@@ -16,7 +16,7 @@ const count = tally('descriptions');
 const settings = { seed: SEED };
 const MOST_STEPS = 60;
 
-const names = ['x', 'y', 'phi', 'm', 'k', 'A', 'P', 'rod', 'rolling', 'tau', 'gravity', 't', 'pi'];
+const names = ['x', 'y', 'phi', 'm', 'k', 'A', 'P', 'rod', 'rolling', 'tau', 'e', 'gravity', 't', 'pi'];
 const name = fc.constantFrom(...names);
 const rate = fc.constantFrom("x'", "y'", "phi'", 'phi_dot');
 const number = fc.constantFrom('0', '1', '2.5', '1e-3', '1e300', '90 deg', '1/3');
@@ -34,7 +34,7 @@ const { scalar } = fc.letrec<{ scalar: string; vector: string }>((tie) => ({
       .tuple(fc.constantFrom('sin', 'cos', 'exp', 'log', 'sqrt', 'abs', 'atan', 'rate'), tie('scalar'))
       .map(([f, x]) => `${f}(${x})`),
     fc.tuple(tie('vector'), tie('vector')).map(([a, b]) => `dot(${a}, ${b})`),
-    fc.constantFrom('P.z', 'rod.x', 'norm(P)'),
+    fc.constantFrom('P.z', 'rod.x', 'rod.x.z', 'norm(P)'),
   ),
   vector: fc.oneof(
     { maxDepth: 4, depthSize: 'small' },
@@ -50,6 +50,8 @@ const vector = fc.tuple(scalar, scalar, scalar).map((p) => `(${p.join(', ')})`);
 const statement = fc.oneof(
   scalar.map((x) => `potential ${x}`),
   scalar.map((x) => `kinetic (${x})^2`),
+  fc.tuple(rate, scalar).map(([v, x]) => `kinetic (${v} - ${x})^2`),
+  fc.tuple(name, scalar).map(([e, x]) => `parameter ${e} = ${x}`),
   scalar.map((x) => `velocity ${x} = 0 in rolling`),
   scalar.map((x) => `velocity ${x} = 0`),
   scalar.map((x) => `height ${x} = 0`),
@@ -64,6 +66,8 @@ const statement = fc.oneof(
   fc.tuple(fc.constantFrom('x', 'y', 'phi'), scalar).map(([q, x]) => `${q}' = ${x}`),
   scalar.map((x) => `input tau on ${x}`),
   scalar.map((x) => `event e "it" ${x}`),
+  fc.tuple(name, rate).map(([x, v]) => `show ${x}, ${v}`),
+  fc.tuple(name, scalar).map(([b, r]) => `shape ${b} sphere ${r}`),
 );
 const grown = fc
   .array(statement, { maxLength: 7 })

@@ -69,7 +69,8 @@ const STATEMENTS: Readonly<Record<string, string>> = {
  */
 export function noStatement(word: string, known: readonly string[]): string {
   const lower = word.toLowerCase();
-  const near = Object.hasOwn(STATEMENTS, lower) ? STATEMENTS[lower]! : closest(word, known);
+  const begun = word.length > 1 ? known.find((name) => name.startsWith(lower)) : undefined;
+  const near = Object.hasOwn(STATEMENTS, lower) ? STATEMENTS[lower]! : (begun ?? closest(word, known));
   const begins = `"${word.slice(0, 40)}" begins no statement`;
   return near ? `${begins}; did you mean ${near}?` : `${begins}; there are ${known.join(', ')}, and NAME = …`;
 }

@@ -182,6 +182,11 @@ export function createEditor(
   // The page's own keys (space plays, Ctrl Z) are the editor's here.
   const ours = (event: Event): void => event.stopPropagation();
   parent.addEventListener('keydown', ours);
+  // What is said of faults takes its room from the text: the line that is typed stays in sight.
+  const sized = new ResizeObserver(() => {
+    if (view.hasFocus) view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head) });
+  });
+  sized.observe(parent);
   const place = ({ line, column = 1, length = 1 }: DescriptionError): { from: number; to: number } => {
     const { doc } = view.state;
     if (line < 1 || line > doc.lines) return { from: 0, to: Math.min(1, doc.length) };
@@ -207,6 +212,7 @@ export function createEditor(
     },
     destroy() {
       parent.removeEventListener('keydown', ours);
+      sized.disconnect();
       view.destroy();
     },
   };

@@ -142,6 +142,8 @@ def _load(subject: Any, title: Optional[str]) -> dict[str, Any]:
         scenario = json.loads(command.text_of(subject).lstrip("\ufeff"))
     except ValueError as error:
         raise RipstikError(f"the scenario is no JSON: {error}") from error
+    if not isinstance(scenario, dict):
+        raise RipstikError(f'a stage shows a run, or a scenario, which is an object with "version" and "system", not {scenario!r}')
     return {"type": "load", "scenario": scenario, "title": "Scenario", **named}
 
 
@@ -150,9 +152,15 @@ def _plots(plots: Union[bool, Iterable[Plot]], subject: Any) -> list[dict[str, A
         return []
     if plots is True:
         return [{"type": "plots"}]
-    panes = [_pane(plot) for plot in ([plots] if isinstance(plots, (str, Mapping)) else plots)]
+    try:
+        panes = [_pane(plot) for plot in ([plots] if isinstance(plots, (str, Mapping)) else plots)]
+        named = [name for pane in panes for name in (pane.get("x", "t"), *pane["y"])]
+    except (TypeError, KeyError):
+        named = [None]
+    if not all(isinstance(name, str) for name in named):
+        raise RipstikError(f'plots is True, False or a list such as ["alpha", {{"x": "X", "y": ["Y"]}}], not {plots!r}')
     if isinstance(subject, Run):
-        for name in (name for pane in panes for name in (pane.get("x", "t"), *pane["y"])):
+        for name in named:
             subject[name]  # says which there are
     return [{"type": "plots", "panes": panes}]
 

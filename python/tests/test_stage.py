@@ -50,6 +50,11 @@ class TheStage(unittest.TestCase):
     def test_what_cannot_be_shown(self):
         with self.assertRaisesRegex(RipstikError, 'there is no column "nono"; there are t, '):
             Stage(simulate(PENDULUM), plots=["nono"])
+        for plots in (3, [3], [{"x": "X"}], [["theta", 1]]):
+            with self.assertRaisesRegex(RipstikError, "plots is True, False or a list such as"):
+                Stage(PENDULUM, plots=plots)
+        with self.assertRaisesRegex(RipstikError, "not None"):
+            Stage(None)
         with self.assertRaisesRegex(RipstikError, "theme is"):
             Stage(PENDULUM, theme="sepia")
         with self.assertRaisesRegex(RipstikError, "from 120 to 4000"):

@@ -50,6 +50,14 @@ test('a pad is held as a key is', () => {
   ]);
 });
 
+test('a rider of a height and a mass has the body that goes with them', () => {
+  const { app } = riding();
+  fireEvent.change(screen.getByTestId('ride-mass'), { target: { value: '60' } });
+  expect(app.state.draft.peek().parameters).toMatchObject({ riderMass: 60 });
+  fireEvent.change(screen.getByTestId('ride-mass'), { target: { value: '' } });
+  expect(app.state.draft.peek().parameters).not.toHaveProperty('riderMass');
+});
+
 test('a gamepad is asked with every picture', async () => {
   const pads = [{ connected: true, axes: [-0.5, 0, 0], buttons: [] }];
   vi.stubGlobal('navigator', Object.assign(Object.create(navigator), { getGamepads: () => pads }));

@@ -69,6 +69,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
               />{' '}
               {words.rider}
             </label>
+            {session.rider && <PersonFields session={session} />}
             <span class="hint">{words.helpHint[level]}</span>
           </div>
         </details>
@@ -92,6 +93,39 @@ export function RideView({ onLeave }: { onLeave(): void }) {
         <p class="hint ride-keys">{words.keys}</p>
       </section>
     </div>
+  );
+}
+
+/** A person of ordinary size to begin with; what is typed begins the ride again. */
+const GROWN = { height: 1.75, mass: 75 };
+const SIZES = { height: [1, 2.3, 0.01, words.tall], mass: [20, 200, 1, words.mass] } as const;
+
+function PersonFields({ session }: { session: Session }) {
+  return (
+    <>
+      {(['height', 'mass'] as const).map((key) => {
+        const [least, most, step, label] = SIZES[key];
+        return (
+          <label key={key} class="ride-person">
+            {label}{' '}
+            <input
+              type="number"
+              min={least}
+              max={most}
+              step={step}
+              placeholder={String(GROWN[key])}
+              value={session.person?.[key] ?? ''}
+              data-testid={`ride-${key}`}
+              onChange={({ currentTarget: { value, valueAsNumber } }) => {
+                if (value === '') session.setPerson(null);
+                else if (valueAsNumber >= least && valueAsNumber <= most)
+                  session.setPerson({ ...(session.person ?? GROWN), [key]: valueAsNumber });
+              }}
+            />
+          </label>
+        );
+      })}
+    </>
   );
 }
 

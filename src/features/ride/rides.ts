@@ -19,11 +19,22 @@ export interface Best {
   values: number[][];
 }
 
-export function rideScenario(rider: boolean, help: number, commands: readonly RideCommand[] = []): ScenarioFile {
+/**
+ * @param rider whether somebody stands on the board
+ * @param help share of it at the beginning
+ * @param commands told before
+ * @param body the rider's own parameters; the system's without
+ */
+export function rideScenario(
+  rider: boolean,
+  help: number,
+  commands: readonly RideCommand[] = [],
+  body: Readonly<Record<string, number>> = {},
+): ScenarioFile {
   return {
     version: 1,
     system: rider ? 'ripstik-rider' : 'ripstik',
-    parameters: { wheelDrag: DRAG },
+    parameters: { wheelDrag: DRAG, ...(rider ? body : {}) },
     // Nobody stands quite upright.
     ...(rider ? { initial: { beta: '1 deg' } } : {}),
     control: { type: 'ride', help, speed: 1.5, commands },

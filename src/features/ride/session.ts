@@ -2,6 +2,7 @@
 import type { App } from '../../app/app.ts';
 import type { Motion } from '../../app/runs/motion.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
+import { riderOf, type Person } from '../../core/systems/ripstik-rider/person.ts';
 import { Controls } from './controls.ts';
 import { gates, HALF_WIDTH, Passage } from './course.ts';
 import { Measure } from './measure.ts';
@@ -18,6 +19,8 @@ export class Session {
   phase: Phase = 'starting';
   said: string = words.ready;
   rider = true;
+  /** Who rides; the system's own rider without. */
+  person: Person | null = null;
   level = 1;
   pace = 1;
   waiting = false;
@@ -66,7 +69,7 @@ export class Session {
 
   begin(): void {
     this.best = storedBest(this.rider);
-    this.start(rideScenario(this.rider, this.level), 0);
+    this.start(rideScenario(this.rider, this.level, [], this.person ? riderOf(this.person) : {}), 0);
   }
 
   /** Goes on from the moment on the stage: the ride up to there is computed again, which gives the same. */
@@ -120,6 +123,11 @@ export class Session {
     this.waiting = waiting;
     this.app.actions.steer({ pace: waiting ? 0 : this.pace });
     this.draw();
+  }
+
+  setPerson(person: Person | null): void {
+    this.person = person;
+    this.begin();
   }
 
   setRider(rider: boolean): void {

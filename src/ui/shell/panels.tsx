@@ -194,7 +194,7 @@ export function Sheet() {
         </div>
         {shown && <HelpLink document={shown.document} title={shown.title} />}
       </div>
-      {bodies.map(({ id, Body, there }) => (
+      {bodies.map(({ id, title, Body, there }) => (
         <div
           key={id}
           id={`sheet-${id}`}
@@ -203,6 +203,7 @@ export function Sheet() {
           aria-labelledby={`tab-${id}`}
           hidden={current.value !== id}
         >
+          <h2 class="hidden">{title}</h2>
           {there && <Body />}
         </div>
       ))}

@@ -52,7 +52,7 @@ export function Dialog({
       <div class="dialog-body">
         <div class="dialog-head">
           <h2 id={id}>{title}</h2>
-          <HelpLink document={about} title={title} />
+          {about && <HelpLink document={about} title={title} />}
           <button type="button" class="quiet square" aria-label={words.close} onClick={onClose}>
             <Icon name="close" />
           </button>

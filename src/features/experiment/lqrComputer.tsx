@@ -12,7 +12,7 @@ import { Margins } from './lqrMargins.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 import { useRestedRegulator } from './useRestedRegulator.ts';
-import { lqrWords as words } from './words.ts';
+import { lqrWords as words } from './lqrWords.ts';
 
 interface Props {
   control: LqrControl;

@@ -10,7 +10,7 @@ import { formatShort } from '../../ui/kit/format.ts';
 import { Term } from '../../ui/kit/term.tsx';
 import { text } from '../../ui/words.ts';
 import { useRestedRegulator } from './useRestedRegulator.ts';
-import { lqrWords as words } from './words.ts';
+import { lqrWords as words } from './lqrWords.ts';
 
 interface Known {
   draft: ScenarioFile;

@@ -3,7 +3,7 @@ import type { EstimatorReport, MarginsReport, SampledReport } from '../../core/c
 import { useUi } from '../../ui/context.ts';
 import { formatShort } from '../../ui/kit/format.ts';
 import { movers } from './movers.ts';
-import { lqrWords as words } from './words.ts';
+import { lqrWords as words } from './lqrWords.ts';
 
 /** Moduli that are shown; the slowest are those that matter. */
 const SHOWN = 4;

@@ -11,7 +11,8 @@ import { LqrFacts, LqrReadout, useAskForDesign } from './lqrReadout.tsx';
 import { LqrTurns } from './lqrTurns.tsx';
 import { operatingKeys, weightSets, writtenQ } from './lqrWeights.ts';
 import { NumberField } from '../../ui/kit/numberField.tsx';
-import { lqrWords, words } from './words.ts';
+import { lqrWords } from './lqrWords.ts';
+import { words } from './words.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 
 /** Sliders run over powers of ten; the leftmost place of a state's weight is no weight at all. */

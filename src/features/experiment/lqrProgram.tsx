@@ -1,7 +1,7 @@
 /** What of a controller's computer is too much for fields of its own: sensors, actuators and path, as JSON. */
 import { useSignal } from '@preact/signals';
 import type { LqrControl } from '../../core/scenario/types.ts';
-import { lqrWords as words } from './words.ts';
+import { lqrWords as words } from './lqrWords.ts';
 
 const KEYS = ['sensors', 'process', 'seed', 'actuators', 'path'] as const;
 type Program = Pick<LqrControl, (typeof KEYS)[number]>;

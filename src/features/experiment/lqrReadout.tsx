@@ -8,7 +8,7 @@ import { formatScientific, formatShort } from '../../ui/kit/format.ts';
 import { Term } from '../../ui/kit/term.tsx';
 import { LqrEffect } from './lqrEffect.tsx';
 import { movers } from './movers.ts';
-import { lqrWords as words } from './words.ts';
+import { lqrWords as words } from './lqrWords.ts';
 
 const WIDTH = 288;
 const HEIGHT = 116;

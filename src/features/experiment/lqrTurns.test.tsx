@@ -5,7 +5,7 @@ import { afterEach, expect, test } from 'vitest';
 import { draw } from '../../../tests/ui/page.tsx';
 import { useUi } from '../../ui/context.ts';
 import { LqrPanel } from './lqrPanel.tsx';
-import { lqrWords } from './words.ts';
+import { lqrWords } from './lqrWords.ts';
 
 afterEach(cleanup);
 

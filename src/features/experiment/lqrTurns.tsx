@@ -6,7 +6,7 @@ import { turnsBetween } from '../../core/simulation/turnsAway.ts';
 import { withEntry } from '../../app/state/draft.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
-import { lqrWords } from './words.ts';
+import { lqrWords } from './lqrWords.ts';
 
 interface Away {
   name: string;

@@ -61,7 +61,7 @@ export function StudyPicture({ title, quantities, varied, all, onRows, onOpen }:
   useLayoutEffect(() => onRows(rows), [rows]);
   const numbers = [...quantities.values()].filter((q) => isNumber(q) && q.id !== 'index');
   return (
-    <section class="pad" aria-label={words.table}>
+    <section class="pad">
       <div class="study-row">
         <Choice label={words.across} of={numbers} chosen={x} testId="study-x" />
         <Choice label={words.up} of={numbers} chosen={y} none={words.count} testId="study-y" />

@@ -1,5 +1,5 @@
 // npm run pictures: draws docs/pictures from the built page, each at a definite time, in a headless browser.
-// With names, only those: npm run pictures -- ridden-light phone-dark; the scenes of the cases: npm run pictures -- cases; every main view: npm run pictures -- views
+// With names, only those: npm run pictures -- ridden-light phone-dark; the scenes of the cases: npm run pictures -- cases; every main view: npm run pictures -- views; the film of a ride: npm run pictures -- ride
 /* global window, document, localStorage, Event, setTimeout -- functions given to the page run there */
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,6 +7,7 @@ import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
 import { Plain, build, built, install, main, root } from './setup.mjs';
 import { casePictures, webp } from './case-pictures.mjs';
+import { ridePicture } from './ride-picture.mjs';
 import { viewPictures } from './view-pictures.mjs';
 
 const DESK = { width: 1440, height: 900 };
@@ -124,7 +125,7 @@ async function take(browser, address, name) {
 }
 
 main(async (given) => {
-  const many = { cases: casePictures, views: viewPictures }[given[0]];
+  const many = { cases: casePictures, views: viewPictures, ride: ridePicture }[given[0]];
   const names = many ? [] : given;
   const unknown = names.filter((name) => !(name in PICTURES));
   if (unknown.length)

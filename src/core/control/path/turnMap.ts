@@ -1,3 +1,4 @@
+import { logarithm } from '../../elementary/powers.ts';
 import type { Scenario } from '../../scenario/types.ts';
 import type { System } from '../../model/system.ts';
 import { inputsOf } from '../../model/inputs.ts';
@@ -72,7 +73,7 @@ export function turnMap(
       try {
         const turn = steadyTurn(plant, { [along]: speed }, 1 / radius, inputs);
         const { linearization, u0 } = turn;
-        const away = Math.abs(Math.log(radius / COMPARED[0])) + Math.abs(Math.log(speed / COMPARED[1]));
+        const away = Math.abs(logarithm(radius / COMPARED[0])) + Math.abs(logarithm(speed / COMPARED[1]));
         turns.push({ away, radius, turn });
         rates.push(Math.max(...plainEigenvalues(linearization.tangentA).map(([re]) => re)));
         inputSizes.push(Math.max(0, ...u0.map(Math.abs)));

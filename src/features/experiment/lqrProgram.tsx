@@ -1,7 +1,7 @@
 /** What of a controller's computer is too much for fields of its own: sensors, actuators and path, as JSON. */
-import { useSignal } from '@preact/signals';
 import type { LqrControl } from '../../core/scenario/types.ts';
 import { lqrWords as words } from './lqrWords.ts';
+import { TextSetting } from './textSetting.tsx';
 
 const KEYS = ['sensors', 'process', 'seed', 'actuators', 'path'] as const;
 type Program = Pick<LqrControl, (typeof KEYS)[number]>;
@@ -12,34 +12,18 @@ const textOf = (control: LqrControl): string => {
 };
 
 export function ProgramField({ control, change }: { control: LqrControl; change(part: Partial<LqrControl>): void }) {
-  const typed = useSignal<string | null>(null);
-  const problem = useSignal('');
-  const commit = (text: string): void => {
-    const read = readProgram(text);
-    problem.value = typeof read === 'string' ? read : '';
-    if (typeof read === 'string') return;
-    typed.value = null;
-    change({ ...Object.fromEntries(KEYS.map((key) => [key, undefined])), ...read });
-  };
   return (
     <details class="lqr-program" open={control.path !== undefined || control.process !== undefined}>
       <summary>{words.program}</summary>
       <p class="hint">{words.programNote}</p>
-      <textarea
-        data-testid="lqr-program"
-        aria-label={words.programLabel}
-        aria-invalid={problem.value !== ''}
+      <TextSetting
+        testId="lqr-program"
+        label={words.programLabel}
         rows={6}
-        spellcheck={false}
-        value={typed.value ?? textOf(control)}
-        onInput={(event) => (typed.value = event.currentTarget.value)}
-        onChange={(event) => commit(event.currentTarget.value)}
+        text={textOf(control)}
+        read={readProgram}
+        change={(program) => change({ ...Object.fromEntries(KEYS.map((key) => [key, undefined])), ...program })}
       />
-      {problem.value && (
-        <p class="error" role="alert">
-          {problem.value}
-        </p>
-      )}
     </details>
   );
 }

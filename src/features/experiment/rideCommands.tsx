@@ -1,38 +1,22 @@
 /** The commands of a ride as text, one on each line; what they are worth is checked with the scenario. */
-import { useSignal } from '@preact/signals';
 import type { RideCommand, RideControl } from '../../core/scenario/types.ts';
 import { Checker } from '../../core/scenario/checker.ts';
 import { checkCommands, RIDE_COMMANDS } from '../../core/scenario/ride.ts';
 import { rideWords as words } from './rideWords.ts';
+import { TextSetting } from './textSetting.tsx';
 
 export function RideCommands({ control, change }: { control: RideControl; change(part: Partial<RideControl>): void }) {
-  const typed = useSignal<string | null>(null);
-  const problem = useSignal('');
-  const commit = (text: string): void => {
-    const read = readCommands(text);
-    problem.value = typeof read === 'string' ? read : '';
-    if (typeof read === 'string') return;
-    typed.value = null;
-    change({ commands: read });
-  };
   return (
     <>
       <p class="hint">{words.note(Object.keys(RIDE_COMMANDS).join(', '))}</p>
-      <textarea
-        data-testid="ride-commands"
-        aria-label={words.label}
-        aria-invalid={problem.value !== ''}
+      <TextSetting
+        testId="ride-commands"
+        label={words.label}
         rows={8}
-        spellcheck={false}
-        value={typed.value ?? textOf(control.commands)}
-        onInput={(event) => (typed.value = event.currentTarget.value)}
-        onChange={(event) => commit(event.currentTarget.value)}
+        text={textOf(control.commands)}
+        read={readCommands}
+        change={(commands) => change({ commands })}
       />
-      {problem.value && (
-        <p class="error" role="alert">
-          {problem.value}
-        </p>
-      )}
     </>
   );
 }

@@ -80,6 +80,10 @@ const KINDS: Record<string, string> = {
       ...b.slice(1),
     ]),
   ),
+  'a column of name unix': table(
+    'unix,x,y,theta\n',
+    at((t) => `${1744909208 + Math.floor(t)}.${String(Math.round(1000 * (t - Math.floor(t)))).padStart(3, '0')}`),
+  ),
   'epoch milliseconds': table(
     'time,x,y,theta\n',
     at((t) => String(1744909208000 + Math.round(1000 * t))),

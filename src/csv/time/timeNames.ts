@@ -2,7 +2,7 @@ import { plainName } from '../names/plainName.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
 const TIMES = new Set(
-  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος 时间 時間 時刻 时刻 시간 messzeit zeitachse laufzeit verstrichenezeit tempsecoule tempodecorrido tiempotranscurrido tempotrascorso timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unixtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος 时间 時間 時刻 时刻 시간 messzeit zeitachse laufzeit verstrichenezeit tempsecoule tempodecorrido tiempotranscurrido tempotrascorso timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unix unixtime unixtimestamp epochtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
     ' ',
   ),
 );

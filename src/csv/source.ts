@@ -1,6 +1,5 @@
-import type { Layout } from './layout/layout.ts';
+import { unitInRow, type Layout } from './layout/layout.ts';
 import { splitTitle, unitBehind } from './units/titles.ts';
-import { isUnit } from './units/units.ts';
 
 /** A column of a file before it has a meaning. */
 export interface Source {
@@ -43,8 +42,7 @@ export function sourcesOf(layout: Layout): Source[] {
     let name = plain;
     for (let k = 2; taken.has(name); k++) name = `${plain} (${k})`;
     taken.add(name);
-    const rowUnit = (layout.units?.[index] ?? '').trim().replace(/^[[({](.*)[\])}]$/, '$1');
-    return { index, title, name, plain, unit: split.unit, rowUnit: isUnit(rowUnit) ? rowUnit : '' };
+    return { index, title, name, plain, unit: split.unit, rowUnit: unitInRow(layout.units?.[index] ?? '') };
   });
 }
 

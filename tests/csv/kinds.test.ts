@@ -35,6 +35,10 @@ const KINDS: Record<string, string> = {
     't,x,y,theta,note\ns,mm,mm,°,\n',
     scaled.map((r) => [...r, 'a']),
   ),
+  'a row of units, one of them unheard of': table(
+    't,x,y,theta,way\ns,mm,mm,°,furlong\n',
+    scaled.map((r) => [...r, '1']),
+  ),
   'an index column': table(
     ',t,x,y,theta\n',
     base.map((b, i) => [String(i), ...b]),
@@ -191,6 +195,12 @@ describe('the same motion', () => {
     const cut = await readStream(new Blob([bytes.slice(0, 12)]).stream(), { systems: metas });
     expect(cut).toMatchObject({ kind: 'unusable', issues: [{ message: expect.stringContaining('gzip') }] });
   });
+});
+
+test('a row of units is one, too, where a coordinate has a unit that is not known: it is told, not passed over', () => {
+  expect(() => motionOf(table('t,x,y,theta\nmin,km,km,grad\n', base))).toThrow(
+    /grad.*is not understood for theta; right would be rad, deg/,
+  );
 });
 
 test('what names no system is data by its own names, in SI where units are known', () => {

@@ -108,7 +108,7 @@ export function layoutOf(
   if (titles)
     for (; next < lines.length && next < body + 3; next++) {
       const { cells, number } = lines[next]!;
-      if (!units && isUnitsRow(cells)) [units, unitsLine] = [cells, number];
+      if (!units && isUnitsBelow(cells)) [units, unitsLine] = [cells, number];
       else if (fillsTitles(cells, titles)) headerLines.push(number);
       else if (!units || !isRemarks(cells, decimal === ',')) break;
     }
@@ -324,16 +324,32 @@ const isRemarks = (cells: readonly string[], comma: boolean): boolean =>
 /** What stands before a row of units as its name. */
 const UNITS_KEY = /^\W*(?:units?|einheit(?:en)?|unit[ée]s?|unidad(?:es)?|unit[aà]|eenheid|jednostka)\W*$/i;
 
-/** A row of units under the names: nothing but units, and one of them a real one. */
-export function isUnitsRow(all: readonly string[]): boolean {
-  const cells = UNITS_KEY.test(all[0] ?? '') ? all.slice(1) : all;
-  const filled = cells.map((cell) => cell.trim()).filter((cell) => cell !== '' && !/^[-–—1]$/.test(cell));
+/** What stands in a row of units for a column that has none. */
+const UNITLESS = /^[[(]?(?:dimensionless|none|text|bool|unitless|quat|[-–—1])?[\])]?$/i;
+
+/** The unit that a row of units gives a column: as written, understood or not; '' for none. */
+export const unitInRow = (cell: string): string => {
+  const unit = cell.trim().replace(/^[[({](.*)[\])}]$/, '$1');
+  return UNITLESS.test(unit) ? '' : unit;
+};
+
+const unitsIn = (all: readonly string[]): string[] =>
+  (UNITS_KEY.test(all[0] ?? '') ? all.slice(1) : all)
+    .filter((cell) => unitInRow(cell) !== '')
+    .map((cell) => cell.trim());
+
+/** A row of units: nothing but units, and one of them a real one. */
+export function isUnitsRow(cells: readonly string[]): boolean {
+  const units = unitsIn(cells);
+  return units.length > 0 && units.every(isUnit);
+}
+
+/** A row under the names, of short words that are mostly units: those that are not known are units too, to be told so. */
+function isUnitsBelow(cells: readonly string[]): boolean {
+  const units = unitsIn(cells);
+  const known = units.filter(isUnit).length;
   return (
-    filled.length > 0 &&
-    filled.every(
-      (cell) => isUnit(cell) || /^[[(]?(?:dimensionless|none|text|bool|unitless|quat)?[\])]?$/i.test(cell),
-    ) &&
-    filled.some(isUnit)
+    isUnitsRow(cells) || (known >= 2 && 2 * known > units.length && units.every((unit) => /^\D\S{0,11}$/.test(unit)))
   );
 }
 

@@ -49,12 +49,13 @@ SCENARIO.json may be - for standard input, a description NAME.system.txt, or a l
 const calledAs = (usage: string): string =>
   process.argv[1]?.endsWith('.ts') ? usage : usage.replaceAll('npm run --silent ripstik --', 'npx ripstik-lab');
 
-const isLink = (text: string): boolean => /^\s*\S*#v=\d/.test(text.slice(0, LONGEST_LINK));
+/** Mail programs and chats escape `#` and `=`. */
+const isLink = (text: string): boolean => /^\s*\S*?(?:#|%23)v(?:=|%3D)\d/i.test(text.slice(0, LONGEST_LINK));
 
 /** What a link of the page holds, as a scenario's file. */
 async function scenarioOfLink(link: string): Promise<string> {
   try {
-    const text = link.trim().replace(/^[^#]*/, '');
+    const text = link.trim().replace(/^.*?(?:#|%23)/s, '#');
     const description = descriptionInLink(text);
     if (description !== null) await learnSystem(description);
     return JSON.stringify(written(decodeLink(text, { systems: metas, cases }).scenario, metas));

@@ -21,6 +21,9 @@ const focus = (page: Page): Promise<Focus> =>
       const style = getComputedStyle(one);
       return (style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) > 0) || style.boxShadow !== 'none';
     });
+    // A mark in a drawing wears a ring of its own.
+    const ring = e.querySelector(':scope > .halo');
+    const ringed = ring !== null && getComputedStyle(ring).stroke !== 'none';
     const box = e.getBoundingClientRect();
     const inView = box.right > 0 && box.left < innerWidth && box.bottom > 0 && box.top < innerHeight;
     const region = regions.find((name) => e.closest(`.${name}`)) ?? '';
@@ -28,7 +31,7 @@ const focus = (page: Page): Promise<Focus> =>
     return {
       testId: e.dataset['testid'] ?? null,
       region,
-      seen: inView && (marks || (e.matches('input[type=range]') && e.matches(':focus-visible'))),
+      seen: inView && (marks || ringed || (e.matches('input[type=range]') && e.matches(':focus-visible'))),
     };
   }, REGIONS);
 
@@ -86,6 +89,9 @@ test('a session without a pointer', async ({ page }) => {
   await tabTo(page, 'tool-analysis');
   await page.keyboard.press('Enter');
   await expect(page.getByTestId('tool-panel-analysis')).toBeVisible();
+  // What is computed has come, and moves nothing any more.
+  await expect(page.getByTestId('orders')).toBeVisible();
+  await expect(page.getByTestId('reach-summary')).toBeVisible();
   await tabTo(page, 'fold-right', 'Shift+Tab');
   await page.keyboard.press('Escape');
   await expect(page.getByTestId('tool-analysis')).toBeFocused();

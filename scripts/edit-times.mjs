@@ -1,7 +1,7 @@
 // npm run edit-times: from a key in a field to the first frame of the run that follows, for every number of the board, and
 // for a parameter of each case; median and 95th percentile, ms, beside those of a frame in which nothing changed. Printed, not
 // asserted: they are those of this machine.
-// With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha
+// With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha; "cases" for the cases alone.
 /* global window, document, requestAnimationFrame, localStorage, KeyboardEvent, MessageChannel -- functions given to the page run there */
 import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
@@ -114,21 +114,22 @@ main(async (wanted) => {
   });
   const { server, port } = await serve({ port: 0 });
   const address = `http://127.0.0.1:${port}/`;
+  const onlyCases = wanted.join() === 'cases';
   try {
-    console.log(`${'field of the ridden board'.padEnd(44)} median    p95, ms`);
+    if (!onlyCases) console.log(`${'field of the ridden board'.padEnd(44)} median    p95, ms`);
     const board = await open(browser, address, 'ridden');
-    print('a frame in which nothing changed', await board.evaluate(drawAgain, 40));
+    if (!onlyCases) print('a frame in which nothing changed', await board.evaluate(drawAgain, 40));
     const all = [];
-    const fields = (await paths(board)).filter((one) => !/^(inputs|control\.reference)\./.test(one));
+    const fields = onlyCases ? [] : (await paths(board)).filter((one) => !/^(inputs|control\.reference)\./.test(one));
     for (const path of fields.filter((one) => wanted.length === 0 || wanted.some((part) => one.includes(part)))) {
       const waits = await stepped(board, path);
       all.push(...(waits ?? []));
       print(path, waits);
     }
-    print('all of them', all);
+    if (!onlyCases) print('all of them', all);
     const cases = await board.evaluate(() => window.ripstikApp.cases.map(({ id }) => id));
     await board.close();
-    if (wanted.length > 0) return 0;
+    if (wanted.length > 0 && !onlyCases) return 0;
     console.log(`\n${'first parameter of the case'.padEnd(44)} median    p95, ms`);
     for (const id of cases) {
       const page = await open(browser, address, id);

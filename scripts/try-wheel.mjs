@@ -1,6 +1,6 @@
 // npm run try-wheel [-- --all]: the wheel as a stranger has it: built, installed into an empty environment without a registry,
 // its tests run there. With --all what it can use (NumPy, pandas, python-control, Dask, anywidget) is installed too, and tested with it, a notebook among it.
-// It is no part of `npm test`: Python is not needed for that.
+// It is no part of `npm test`: Python is not needed for that. CI runs it.
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { noPython, pip, venv } from './python.mjs';

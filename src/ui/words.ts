@@ -77,6 +77,7 @@ export const text = {
     residual: 'residual',
     residualTitle: 'Largest constraint residual so far: by how much the constraints fail to hold',
     computing: (percent: number) => `computing ${percent} %`,
+    deriving: (percent: number) => `deriving the equations ${percent} %`,
     ended: (reason: string) => `ended: ${reason}`,
     idle: 'not run yet',
     rows: 'rows',

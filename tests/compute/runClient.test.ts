@@ -4,6 +4,8 @@ import { RunClient, type RunHandlers } from '../../src/compute/client/runClient.
 import { calls } from '../../src/compute/services/run.ts';
 import type { RunEvent, RunResult } from '../../src/compute/services/runTypes.ts';
 import type { Scenario } from '../../src/core/scenario/types.ts';
+import { checkScenario } from '../../src/core/scenario/schema.ts';
+import { learnSystem, systemMetas } from '../../src/core/systems/registry.ts';
 import { runOf, scenarioOf } from '../helpers.ts';
 import { NearWorker, starts, turn } from './nearWorker.ts';
 
@@ -143,4 +145,23 @@ test('when the worker dies the rows stay, the words say so, and the next run get
   const next = heard();
   client.start(scenarioOf(SHORT), next.handlers);
   expect(await next.over).toBe('end');
+});
+
+test('the equations of a described system are derived with their share told, once; another run has them', async () => {
+  const description =
+    'system "Told"\ncoordinate a, b [rad] = 0.3\nkinetic 1/2 (a\'^2 + b\'^2)\npotential -cos(a) - cos(b - a)';
+  const { meta } = await learnSystem(description);
+  const scenario = (): Scenario => checkScenario({ version: 1, system: { description }, duration: 0.1 }, systemMetas);
+  const shares: number[] = [];
+  const [first, second] = [heard(), heard()];
+  const client = new RunClient(starts());
+  const derived = (share: number): void => void shares.push(share);
+  client.start(scenario(), { ...first.handlers, derived });
+  expect(await first.over, meta.id).toBe('end');
+  expect(shares.at(-1)).toBe(1);
+  expect(shares).toEqual([...shares].sort((x, y) => x - y));
+  const told = shares.length;
+  client.start(scenario(), { ...second.handlers, derived });
+  expect(await second.over).toBe('end');
+  expect(shares).toHaveLength(told);
 });

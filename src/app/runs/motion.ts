@@ -30,7 +30,9 @@ export interface RunStatistics {
 
 /** Where a run stands. `reason` is a permanent id: `end`, `touchdown`, `constraint-singular`, `step-too-small`, `non-finite`, `cancelled`, `failed`. */
 export type RunState =
-  { kind: 'computing'; progress: number } | { kind: 'ended'; reason: string; message: string; time: number };
+  /** `derived`: the share of the equations of a described system, until they are there. */
+  | { kind: 'computing'; progress: number; derived?: number }
+  | { kind: 'ended'; reason: string; message: string; time: number };
 
 /** A row or cell of a CSV file that could not be used, or a note on how it was read. */
 export interface FileIssue {

@@ -266,6 +266,7 @@ export class Runs {
     client.start(
       scenario,
       {
+        derived: (share) => stage.actions.setRun({ kind: 'computing', progress: 0, derived: share }),
         started: (columns, adjustments, notes, engine) => {
           motion = {
             id: this.nextMotion++,

@@ -8,6 +8,8 @@ import type { RideCalls, RideStart, RideUpdate } from '../services/rideTypes.ts'
 import { answerOf } from './answer.ts';
 
 export interface RunHandlers {
+  /** Share of the equations of a described system that is derived. */
+  derived?(share: number): void;
   started(columns: string[], adjustments: StartAdjustment[], notes: string[], engine: EngineId): void;
   rows(columns: Float64Array[], rows: number, time: number, counts: RunCounts, seconds: number): void;
   /** A push acts from then on, or ends. */
@@ -83,6 +85,8 @@ export class RunClient {
 
 function hear(event: RunEvent, handlers: RunHandlers): void {
   switch (event.type) {
+    case 'derived':
+      return handlers.derived?.(event.share);
     case 'started':
       return handlers.started(event.columns, event.adjustments, event.notes, event.engine);
     case 'rows':

@@ -22,7 +22,10 @@ async function compute(
   { signal, emit, onUpdate }: Caller<RunEvent, Live>,
 ): Promise<RunResult> {
   const [system] = await Promise.all([
-    systemOf(scenario, partsOf(scenario, live !== undefined, soonest)),
+    systemOf(scenario, {
+      ...partsOf(scenario, live !== undefined, soonest),
+      derived: (done, of) => emit({ type: 'derived', share: done / of }),
+    }),
     soonest && !needsEveryMotion(scenario.method) ? null : import('../../core/simulation/everyMotion.ts'),
   ]);
   const feedback = await designed(scenario, system);

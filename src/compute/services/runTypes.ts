@@ -30,6 +30,8 @@ export interface Live {
 
 /** Column buffers are transferred, not copied; `seconds` is the time spent computing so far. */
 export type RunEvent =
+  /** The equations of a described system are on their way: the share that is done. */
+  | { type: 'derived'; share: number }
   | { type: 'started'; columns: string[]; adjustments: StartAdjustment[]; notes: string[]; engine: EngineId }
   | { type: 'rows'; columns: Float64Array[]; rows: number; time: number; counts: RunCounts; seconds: number }
   /** From this time on the push acts that the page asked for. */

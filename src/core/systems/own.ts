@@ -81,10 +81,15 @@ export async function learnFrom(raw: unknown, views: Views): Promise<void> {
  *
  * @param id of the system
  * @param views what is known of systems, by id
+ * @param step told of every part of the derivation, where it has not been derived yet
  * @throws ScenarioError with the line of what makes it no system
  */
-export function loadOwn(id: string, views: Views): Promise<System> | undefined {
-  return ownOf(id, views)?.then((own) => (own.system ??= derived(own)));
+export function loadOwn(
+  id: string,
+  views: Views,
+  step?: (done: number, of: number) => void,
+): Promise<System> | undefined {
+  return ownOf(id, views)?.then((own) => (own.system ??= derived(own, step)));
 }
 
 /**
@@ -114,10 +119,10 @@ export function typesetOwn(id: string, views: Views): Promise<Typeset> | undefin
   );
 }
 
-async function derived({ model, view }: Own): Promise<System> {
+async function derived({ model, view }: Own, step?: (done: number, of: number) => void): Promise<System> {
   const { deriveSystem, faultOf } = await import('../description/index.ts');
   try {
-    return deriveSystem(model, view);
+    return deriveSystem(model, view, step ? { step } : {});
   } catch (error) {
     const fault = faultOf(error);
     if (fault === null) throw error;

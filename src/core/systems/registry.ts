@@ -111,6 +111,8 @@ export interface SystemParts {
   jacobians?: boolean;
   /** The accelerations as data, for WebAssembly. */
   tape?: boolean;
+  /** Told of every part of a derivation, where a described system is derived for the first time. */
+  derived?: (done: number, of: number) => void;
 }
 
 /** Systems that were asked for, by id and parts: a sweep asks for the same one a thousand times. */
@@ -125,7 +127,8 @@ const loaded = new Map<string, Promise<System>>();
  */
 export function loadSystem(id: string, parts: SystemParts = {}): Promise<System> | undefined {
   const folder = folders.get(id);
-  if (!folder) return isDescribed(id) ? own().then(({ loadOwn }) => loadOwn(id, systemViews)!) : undefined;
+  if (!folder)
+    return isDescribed(id) ? own().then(({ loadOwn }) => loadOwn(id, systemViews, parts.derived)!) : undefined;
   const { jacobians = true, tape = true } = parts;
   const key = `${id} ${jacobians} ${tape}`;
   const known = loaded.get(key);

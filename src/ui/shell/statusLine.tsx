@@ -174,8 +174,10 @@ function RunStanding() {
   if (run?.kind === 'computing') {
     return (
       <span class="standing" data-testid="run-state">
-        <progress max={1} value={run.progress} aria-label={text.said.computing} />
-        {text.status.computing(Math.floor(100 * run.progress))}
+        <progress max={1} value={run.derived ?? run.progress} aria-label={text.said.computing} />
+        {run.derived === undefined
+          ? text.status.computing(Math.floor(100 * run.progress))
+          : text.status.deriving(Math.floor(100 * run.derived))}
         <button type="button" class="link" onClick={() => actions.cancel()}>
           {text.panel.cancel}
         </button>

@@ -10,6 +10,8 @@ export interface Reading {
   nodes: number;
   listeners: number;
   workers: number;
+  /** Workers beside another of the same purpose: each purpose keeps one, from its first call on. */
+  doubles: number;
   geometries: number;
   textures: number;
   programs: number;
@@ -85,12 +87,17 @@ export class Gauges {
       textures = 0,
       programs = 0,
     } = await page.evaluate(() => window.ripstikScene?.stats() ?? ({} as Partial<Reading>));
+    // One that is just ending says nothing any more.
+    const purposes = await Promise.all(
+      page.workers().map((worker) => worker.evaluate(() => self.name).catch(() => crypto.randomUUID())),
+    );
     return {
       ...(await this.reachable()),
       buffers: await this.buffers(),
       nodes,
       listeners: jsEventListeners,
-      workers: page.workers().length,
+      workers: purposes.length,
+      doubles: purposes.length - new Set(purposes).size,
       geometries,
       textures,
       programs,

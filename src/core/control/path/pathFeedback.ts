@@ -1,18 +1,18 @@
 import { Matrix } from 'ml-matrix';
 import { cosine, sine } from '../../elementary/trigonometry.ts';
-import { inputsOf } from '../../model/inputs.ts';
 import type { Estimator, Feedback } from '../../mechanics/forcing.ts';
 import type { System } from '../../model/system.ts';
 import type { LqrControl, Scenario } from '../../scenario/types.ts';
 import { GainSchedule } from '../design/gainSchedule.ts';
 import { designLqr, reachablePlant, type LqrDesign } from '../design/lqr.ts';
-import { plantOf, timingOf, weightsOf } from '../design/scenarioControl.ts';
+import { timingOf, weightsOf } from '../design/scenarioControl.ts';
 import { located } from '../linearization/preparedPlant.ts';
 import { sampledLqr } from '../sampled/sampledLqr.ts';
 import { pathCurve, turned, type PathCurve, type PathPlace } from './pathCurve.ts';
 import { PathEstimator } from './pathEstimator.ts';
 import { pathFilterOf } from './pathFilter.ts';
-import { planeOf, steadyTurn, type Plane, type SteadyTurn } from './steadyTurn.ts';
+import { planeOf, type Plane, type SteadyTurn } from './steadyTurn.ts';
+import { turnOf } from './turnOf.ts';
 
 /**
  * Follows a path: at the place nearest to the vehicle the path has a curvature, and that a steady turn with inputs u0 and a
@@ -37,12 +37,11 @@ export interface TurnDesign {
  * @throws ScenarioError at `control.path` where there is no such turn or regulator
  */
 export function turnDesign(scenario: Scenario, system: System, control: LqrControl, curvature: number): TurnDesign {
-  const inputs = control.inputs.map((name) => inputsOf(system.meta).find((input) => input.name === name)!);
-  return located('control.path', () => {
-    const at = control.at as Record<string, number>;
-    const turn = steadyTurn(plantOf(scenario, system), at, curvature, inputs);
-    return { turn, design: designLqr(reachablePlant(turn.linearization), weightsOf(control, system.meta)) };
-  });
+  const turn = turnOf(scenario, system, control, curvature);
+  return located('control.path', () => ({
+    turn,
+    design: designLqr(reachablePlant(turn.linearization), weightsOf(control, system.meta)),
+  }));
 }
 
 /** What a turn is held by in one row per input, for interpolation: what it asks in the turn, the steady state, the gains. */
@@ -75,12 +74,25 @@ export function pathFeedbackOf(scenario: Scenario, system: System, control: LqrC
   const curvatures = Array.from({ length: count }, (_, i) =>
     count === 1 ? least : least + ((most - least) * i) / (count - 1),
   );
-  const rows = curvatures.map((curvature) => rowsOf(turnDesign(scenario, system, control, curvature), control));
+  const designs = curvatures.map((curvature) => turnDesign(scenario, system, control, curvature));
+  const rows = designs.map((design) => rowsOf(design, control));
   const plane = planeOf(system.meta);
   const n = system.meta.coordinates.length;
   const limits = control.limits ?? {};
   const estimator = control.sensors
-    ? new PathEstimator(pathFilterOf(scenario, system, control, curve, curvatures, plane), curve, plane)
+    ? new PathEstimator(
+        pathFilterOf(
+          scenario,
+          system,
+          control,
+          curve,
+          curvatures,
+          designs.map(({ turn }) => turn),
+          plane,
+        ),
+        curve,
+        plane,
+      )
     : null;
   return new Map(
     control.inputs.map((name, k) => {

@@ -1,19 +1,19 @@
 import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { Matrix } from 'ml-matrix';
-import { inputsOf } from '../../model/inputs.ts';
 import type { System } from '../../model/system.ts';
 import { Formula } from '../../scenario/formula.ts';
 import type { LqrControl, Scenario } from '../../scenario/types.ts';
 import { GainSchedule } from '../design/gainSchedule.ts';
-import { deviationOf, plantOf, timingOf } from '../design/scenarioControl.ts';
+import { deviationOf, timingOf } from '../design/scenarioControl.ts';
 import { located } from '../linearization/preparedPlant.ts';
 import { product, symmetricPart } from '../linearization/matrices.ts';
 import { exponential } from '../sampled/exponential.ts';
 import { held, lagged, memoryOf, sampledCost, type Memory } from '../sampled/hold.ts';
-import { observedPlant, type ObservedPlant } from '../sampled/kalman.ts';
+import { followedErrors, observedPlant, processOf, type FollowedError, type ObservedPlant } from '../sampled/kalman.ts';
 import { Sensors } from '../sampled/sensors.ts';
 import type { PathCurve } from './pathCurve.ts';
-import { steadyTurn, type Plane, type SteadyTurn } from './steadyTurn.ts';
+import { turnOf } from './turnOf.ts';
+import type { Plane, SteadyTurn } from './steadyTurn.ts';
 
 /** A share of the plant's own scale. */
 const WEAKEST = 1e-4;
@@ -35,8 +35,8 @@ export interface PathFilter {
   readonly makeSensors: () => Sensors;
   /** Of the sensors' noise, per sample, squared. */
   readonly variances: readonly number[];
-  /** Sensors whose errors are followed: their places, random walks (per √s), and how well each is known at first. */
-  readonly biases: readonly { place: number; walk: number; first: number }[];
+  /** Errors of sensors that are followed. */
+  readonly biases: readonly FollowedError[];
   readonly sample: number;
   /** Coordinates that roll on, beside those of the plane. */
   readonly rolls: readonly number[];
@@ -73,8 +73,9 @@ export class TurnModel {
  * @param control with a path and sensors
  * @param curve of its path
  * @param curvatures of the turns, ascending
+ * @param turns at these curvatures
  * @param plane of the system
- * @throws ScenarioError at `control.path` where there is no such turn, at `control.sensors` where no filter can tell how to stay on it
+ * @throws ScenarioError at `control.path` where there is no straight motion to start from, at `control.sensors` where no filter can tell how to stay on it
  */
 export function pathFilterOf(
   scenario: Scenario,
@@ -82,13 +83,10 @@ export function pathFilterOf(
   control: LqrControl,
   curve: PathCurve,
   curvatures: readonly number[],
+  turns: readonly SteadyTurn[],
   plane: Plane,
 ): PathFilter {
-  const { sensors = {}, process, sample = 0, seed = 0, at } = control;
-  const inputs = control.inputs.map((name) => inputsOf(system.meta).find((input) => input.name === name)!);
-  const turns = located('control.path', () =>
-    curvatures.map((kappa) => steadyTurn(plantOf(scenario, system), at as Record<string, number>, kappa, inputs)),
-  );
+  const { sensors = {}, process, sample = 0, seed = 0 } = control;
   const { states, motion } = turns[0]!.whole;
   const names = Object.keys(sensors);
   const seen = located('control.sensors', () => turns.map((turn) => seenPart(turn, names, curve, plane)));
@@ -96,9 +94,7 @@ export function pathFilterOf(
   const memory = memoryOf(sample, timing.delay);
   const intensities = states.map((name) => (process ? (process[name] ?? 0) : 1));
   const rows = turns.map((turn, i) => rowOf(turn, seen[i]!, timing.lags, memory, sample, intensities));
-  const [straight] = located('control.path', () => [
-    steadyTurn(plantOf(scenario, system), at as Record<string, number>, 0, inputs),
-  ]);
+  const straight = turnOf(scenario, system, control, 0);
   return {
     models: new GainSchedule(curvatures, (kappa) => ({
       gain: Matrix.rowVector([...rows[curvatures.indexOf(kappa)]!]),
@@ -107,14 +103,12 @@ export function pathFilterOf(
       Float64Array.from(Matrix.mul(T.mmul(T.transpose()), KNOWN ** 2).to1DArray()),
     ),
     curvatures,
-    inputs: inputs.length,
+    inputs: control.inputs.length,
     memory,
     slow: [...timing.lags.keys()].filter((i) => timing.lags[i]! > 0),
     makeSensors: () => new Sensors(sensors, states, sample, seed),
     variances: Object.values(sensors).map((sensor) => deviationOf(sensor, sample) ** 2),
-    biases: Object.values(sensors).flatMap(({ follow = 0, bias = 0 }, place) =>
-      follow > 0 ? [{ place, walk: follow, first: Math.max(Math.abs(bias), follow) }] : [],
-    ),
+    biases: followedErrors(sensors),
     sample,
     rolls: system.meta.coordinates.flatMap(({ name }, i) =>
       motion.moving.includes(name) && i !== plane.x && i !== plane.y && i !== plane.heading ? [i] : [],
@@ -166,12 +160,13 @@ export function alongThePath(row: Float64Array | number[], plane: Plane, n: numb
 
 function rowOf(
   { motion, u0 }: SteadyTurn,
-  { A: seenA, B: seenB, fromStates, toStates }: ObservedPlant,
+  seen: ObservedPlant,
   lags: readonly number[],
   memory: Memory,
   sample: number,
   intensities: readonly number[],
 ): Float64Array {
+  const { A: seenA, B: seenB, fromStates, toStates } = seen;
   const [n, o, k] = [motion.q.length, seenA.rows, u0.length];
   const driven = lagged(seenA, seenB, lags);
   const slow = driven.A.rows - o;
@@ -192,7 +187,7 @@ function rowOf(
     model.parts[i]!.A.set(product(out, A, into).to1DArray());
     model.parts[i]!.B.set(out.mmul(B).to1DArray());
   });
-  const process = product(fromStates, Matrix.diag([...intensities]), fromStates.transpose());
+  const process = processOf(seen, intensities);
   const grown = symmetricPart(sampledCost(seenA.transpose(), new Matrix(o, 0), process, new Matrix(0, 0), sample).Q);
   model.F.set(product(toStates, exponential(Matrix.mul(seenA, sample)), fromStates).to1DArray());
   model.W.set(product(toStates, grown, toStates.transpose()).to1DArray());

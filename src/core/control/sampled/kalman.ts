@@ -40,7 +40,7 @@ export interface ObservedPlant {
   /** What decided, as in `Reachability`. */
   readonly margin: { kept: number; dropped: number };
   /** Errors of sensors that are followed are the last states: their random walks, per √s, and how well each is known at first. */
-  readonly biases?: readonly { sensor: string; walk: number; first: number }[];
+  readonly biases?: readonly FollowedError[];
 }
 
 /**
@@ -90,6 +90,24 @@ export function observedPlant(
   };
 }
 
+/** An error of a sensor that a filter follows: its place among the sensors, its random walk (per √s), and how well it is known at first. */
+export interface FollowedError {
+  sensor: string;
+  place: number;
+  walk: number;
+  first: number;
+}
+
+/**
+ * The errors of sensors that are followed.
+ *
+ * @param sensors as the scenario has them, by name
+ */
+export const followedErrors = (sensors: Readonly<Record<string, Sensor>>): FollowedError[] =>
+  Object.entries(sensors).flatMap(([sensor, { follow = 0, bias = 0 }], place) =>
+    follow > 0 ? [{ sensor, place, walk: follow, first: Math.max(Math.abs(bias), follow) }] : [],
+  );
+
 /**
  * The same with the errors of some sensors as states that wander by themselves.
  *
@@ -97,9 +115,7 @@ export function observedPlant(
  * @param sensors as the scenario has them, by name, in the order of C's rows
  */
 export function withBiases(plant: ObservedPlant, sensors: Readonly<Record<string, Sensor>>): ObservedPlant {
-  const followed = Object.entries(sensors).flatMap(([sensor, { follow = 0, bias = 0 }], row) =>
-    follow > 0 ? [{ sensor, row, walk: follow, first: Math.max(Math.abs(bias), follow) }] : [],
-  );
+  const followed = followedErrors(sensors);
   const count = followed.length;
   if (count === 0) return plant;
   const { A, B, C, fromStates, toStates } = plant;
@@ -110,7 +126,7 @@ export function withBiases(plant: ObservedPlant, sensors: Readonly<Record<string
     return larger;
   };
   const reads = within(C, C.rows, o + count);
-  followed.forEach(({ row }, i) => reads.set(row, o + i, 1));
+  followed.forEach(({ place }, i) => reads.set(place, o + i, 1));
   return {
     ...plant,
     A: within(A, o + count, o + count),
@@ -118,12 +134,17 @@ export function withBiases(plant: ObservedPlant, sensors: Readonly<Record<string
     C: reads,
     fromStates: within(fromStates, o + count, n),
     toStates: within(toStates, toStates.rows, o + count),
-    biases: followed.map(({ sensor, walk, first }) => ({ sensor, walk, first })),
+    biases: followed,
   };
 }
 
-/** What the process and the walks of the followed errors add to the covariance, per s. */
-function processOf({ A, fromStates, biases = [] }: ObservedPlant, intensities: readonly number[]): Matrix {
+/**
+ * What the process and the walks of the followed errors add to the covariance, per s.
+ *
+ * @param plant the part of the linear system that its sensors see
+ * @param intensities of the process noise, by state (2n)
+ */
+export function processOf({ A, fromStates, biases = [] }: ObservedPlant, intensities: readonly number[]): Matrix {
   const W = fromStates.mmul(Matrix.diag([...intensities])).mmul(fromStates.transpose());
   biases.forEach(({ walk }, i) => W.set(A.rows - biases.length + i, A.rows - biases.length + i, walk * walk));
   return W;

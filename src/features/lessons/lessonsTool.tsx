@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { lessonIn, lessonLink, type OwnLesson } from '../../app/files/ownLesson.ts';
 import { readLesson, type Lesson } from '../../core/lessons/lesson.ts';
 import { useUi } from '../../ui/context.ts';
+import { FileButton } from '../../ui/kit/fileButton.tsx';
 import { LoadingPart } from '../../ui/kit/loadingPart.tsx';
 import { LessonView } from './lessonView.tsx';
 import { progress } from './progress.ts';
@@ -27,7 +28,6 @@ export function LessonsTool() {
   const [open, setOpen] = useState<(Lesson & { id: string }) | null>(null);
   const [fault, setFault] = useState('');
   const asked = useRef(false);
-  const file = useRef<HTMLInputElement>(null);
   if (!asked.current) {
     asked.current = true;
     readAll().then(setList, () => {
@@ -35,8 +35,7 @@ export function LessonsTool() {
       setFailed(true);
     });
   }
-  const take = async (given: File | undefined): Promise<void> => {
-    if (!given) return;
+  const take = async (given: File): Promise<void> => {
     try {
       app.actions.setLesson(await lessonIn(given));
       setFault('');
@@ -81,16 +80,11 @@ export function LessonsTool() {
       ) : (
         <LoadingPart failed={failed} />
       )}
-      <button type="button" onClick={() => file.current?.click()}>
-        {words.own}
-      </button>
-      <input
-        ref={file}
-        type="file"
+      <FileButton
+        label={words.own}
         accept=".md,text/markdown"
-        hidden
-        data-testid="lesson-file"
-        onChange={({ currentTarget }) => void take(currentTarget.files?.[0])}
+        testId="lesson-file"
+        onFile={(file) => void take(file)}
       />
       <p role="alert">{fault}</p>
     </div>

@@ -9,6 +9,7 @@ import { isOwn } from '../../core/scenario/own.ts';
 import { ScenarioError } from '../../core/scenario/types.ts';
 import { learnSystem } from '../../core/systems/registry.ts';
 import { edit, useUi, type Ui } from '../../ui/context.ts';
+import { FileButton, textOfFile } from '../../ui/kit/fileButton.tsx';
 import { carriedOver } from './adopt.ts';
 import { createEditor, type Names, type TextEditor } from './editor.ts';
 import { Formulas } from './formulas.tsx';
@@ -36,7 +37,6 @@ async function firstText(ui: Ui): Promise<{ text: string; title: string; id: str
 export function OwnTool() {
   const ui = useUi();
   const place = useRef<HTMLDivElement>(null);
-  const chooser = useRef<HTMLInputElement>(null);
   const editor = useRef<TextEditor | null>(null);
   const names = useRef<ReturnType<Names>>(new Map());
   const standing = useSignal<Standing>({ kind: 'empty' });
@@ -125,24 +125,11 @@ export function OwnTool() {
             ))}
           </select>
         </label>
-        <button type="button" onClick={() => chooser.current?.click()}>
-          {words.open}
-        </button>
-        <input
-          ref={chooser}
-          type="file"
-          class="hidden"
-          tabIndex={-1}
-          aria-hidden="true"
+        <FileButton
+          label={words.open}
           accept=".txt"
-          data-testid="own-open"
-          onChange={(event) => {
-            const input = event.currentTarget;
-            void input.files?.[0]?.text().then((text) => {
-              put(text.replace(/^\ufeff/, ''));
-              input.value = '';
-            });
-          }}
+          testId="own-open"
+          onFile={(file) => void textOfFile(file).then(put)}
         />
         <button
           type="button"

@@ -1,11 +1,12 @@
 /** Manoeuvres with pass or fail: one click, a report with pictures, and the tests themselves to change. */
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { download } from '../../app/files/download.ts';
 import type { VehicleTests } from '../../app/runs/vehicleTests.ts';
 import { shippedTests } from '../../core/manoeuvres/shipped.ts';
 import { parseTests, type CheckedTest } from '../../core/manoeuvres/testFile.ts';
 import { useUi } from '../../ui/context.ts';
+import { FileButton, textOfFile } from '../../ui/kit/fileButton.tsx';
 import { text as uiText } from '../../ui/words.ts';
 import { AddTest } from './addTest.tsx';
 import { Results } from './results.tsx';
@@ -33,7 +34,6 @@ export function TestsTool() {
   const { app } = ui;
   const runner = useSignal<VehicleTests | null>(null);
   const system = ui.system.value?.meta.id ?? '';
-  const chooser = useRef<HTMLInputElement>(null);
   useEffect(() => {
     void app.vehicleTests().then((found) => (runner.value = found));
   }, []);
@@ -68,23 +68,11 @@ export function TestsTool() {
         >
           {computing ? words.stop : words.run}
         </button>
-        <button type="button" onClick={() => chooser.current?.click()}>
-          {words.open}
-        </button>
-        <input
-          ref={chooser}
-          type="file"
-          class="hidden"
-          tabIndex={-1}
-          aria-hidden="true"
+        <FileButton
+          label={words.open}
           accept=".json,application/json"
-          data-testid="tests-open"
-          onChange={({ currentTarget: input }) => {
-            void input.files?.[0]?.text().then((read) => {
-              put(read.replace(/^\ufeff/, ''));
-              input.value = '';
-            });
-          }}
+          testId="tests-open"
+          onFile={(file) => void textOfFile(file).then(put)}
         />
         {text.trim() !== '' && (
           <button

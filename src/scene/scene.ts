@@ -124,9 +124,13 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   /** As fine as there is time for. */
   function sharpen(): void {
     parts.setShadows(haste.shadows);
+    fitCanvas();
+    measure();
+  }
+
+  function fitCanvas(): void {
     renderer.setPixelRatio(size.ratio * haste.share);
     renderer.setSize(size.width, size.height, false);
-    measure();
   }
 
   function hasten(): void {
@@ -321,8 +325,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       size.width = Math.max(1, w);
       size.height = Math.max(1, h);
       size.ratio = Math.min(Math.max(devicePixelRatio, 0.25), options.still ? Infinity : MAX_PIXEL_RATIO);
-      renderer.setPixelRatio(size.ratio * haste.share);
-      renderer.setSize(size.width, size.height, false);
+      fitCanvas();
       const aspect = size.width / size.height;
       rig.setAspect(aspect, size.height < LOW && !options.still ? LIFT : 0);
       measure();

@@ -9,7 +9,7 @@ import type { PlaybackState } from '../state/playback.ts';
 import { speeds } from '../state/playbackClock.ts';
 import type { SettingsSlice } from '../state/settings.ts';
 import { readonly } from '../state/signals.ts';
-import type { RunState } from './motion.ts';
+import { UNRECORDED, type RunState } from './motion.ts';
 import type { Runs } from './runs.ts';
 import type { StageContent, StageState } from './stageState.ts';
 
@@ -82,13 +82,7 @@ export class ModePreviewer {
       system,
       parameters: scenario.parameters,
       trajectory,
-      constraints: null,
-      scenario: null,
-      written: null,
-      adjustments: [],
-      issues: [],
-      marks: [],
-      judgement: null,
+      ...UNRECORDED,
     });
     settings.actions.setAll({ loop: true, speed: speedFor(duration, speeds) });
   }

@@ -81,3 +81,14 @@ export interface Motion {
   /** How well a file's numbers keep energy and constraints; null when that can't be told (runs have statistics). */
   judgement: { energyDrift: number | null; energyChange: number; residual: number } | null;
 }
+
+/** Of a motion that no run and no file stands behind: there is nothing to say of how it came about. */
+export const UNRECORDED = {
+  constraints: null,
+  scenario: null,
+  written: null,
+  adjustments: [],
+  issues: [],
+  marks: [],
+  judgement: null,
+} as const satisfies Partial<Motion>;

@@ -1,6 +1,6 @@
 /** One person on the board: begins rides, tells them what the controls ask, follows them picture by picture. */
 import type { App } from '../../app/app.ts';
-import type { Motion } from '../../app/runs/motion.ts';
+import { UNRECORDED, type Motion } from '../../app/runs/motion.ts';
 import type { ScenarioFile } from '../../core/scenario/types.ts';
 import { riderOf, type Person } from '../../core/systems/ripstik-rider/person.ts';
 import { Controls } from './controls.ts';
@@ -233,11 +233,5 @@ const companionOf = ({ system, parameters }: Motion, best: Best): Motion => ({
   system,
   parameters,
   trajectory: rowsOf(best),
-  constraints: null,
-  scenario: null,
-  written: null,
-  adjustments: [],
-  issues: [],
-  marks: [],
-  judgement: null,
+  ...UNRECORDED,
 });

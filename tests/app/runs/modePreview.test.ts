@@ -1,6 +1,7 @@
 // A mode takes the stage for a while; what it suspends comes back as it was.
 import { expect, test } from 'vitest';
 import type { ModeRequest } from '../../../src/app/runs/modePreview.ts';
+import { UNRECORDED } from '../../../src/app/runs/motion.ts';
 import { speedFor } from '../../../src/app/runs/modePreview.ts';
 import { speeds } from '../../../src/app/state/playbackClock.ts';
 import { modeMotion } from '../../../src/core/control/linearization/modeTrajectory.ts';
@@ -33,13 +34,7 @@ function playing() {
     system,
     parameters: {},
     trajectory: Trajectory.of(['t', 'y'], [Float64Array.of(0, 1, 2), Float64Array.of(1, 2, 3)]),
-    constraints: null,
-    scenario: null,
-    written: null,
-    adjustments: [],
-    issues: [],
-    marks: [],
-    judgement: null,
+    ...UNRECORDED,
   });
   app.actions.seek(1);
   app.actions.setAll({ speed: 0.25, loop: false });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { PinnedRuns, MOST_PINNED } from '../../../src/app/runs/pinnedRuns.ts';
 import { createMessages } from '../../../src/app/state/messages.ts';
-import type { Motion } from '../../../src/app/runs/motion.ts';
+import { UNRECORDED, type Motion } from '../../../src/app/runs/motion.ts';
 import { createStage } from '../../../src/app/runs/stageState.ts';
 import { ripstikView } from '../../../src/core/systems/ripstik/view.ts';
 import { Trajectory } from '../../../src/core/motion/trajectory.ts';
@@ -19,13 +19,7 @@ function motion(id: number, rows = 3, columns = 2): Motion {
     system: ripstikView,
     parameters: {},
     trajectory,
-    constraints: null,
-    scenario: null,
-    written: null,
-    adjustments: [],
-    issues: [],
-    marks: [],
-    judgement: null,
+    ...UNRECORDED,
   };
 }
 

@@ -1,9 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { feedbackOf } from '../../src/core/control/design/feedback.ts';
 import { methods } from '../../src/core/integrators/methods.ts';
-import { Simulation, type Continuation } from '../../src/core/simulation/simulation.ts';
-import { systems } from '../../src/core/systems/all.ts';
-import { scenarioOf, seeded } from '../helpers.ts';
+import type { Continuation } from '../../src/core/simulation/simulation.ts';
+import { distance, endOf, seeded } from '../helpers.ts';
 import { runs, SEED, tally } from './tally.ts';
 
 /** What acts briefly: every run with it against the same run made piece by piece, with steps that must see it. */
@@ -168,22 +166,6 @@ const shapes: Record<string, (at: number, width: number) => Pulse> = {
     return { formula: `(abs(t-${at}) < ${width / 2}) * ${wave}`, pieces: [[a, b, wave]] };
   },
 };
-
-/** State at the end of a run, or why there is none. */
-function endOf(raw: Raw, from?: Continuation): Continuation {
-  const scenario = scenarioOf({ outputStep: 1000, ...raw });
-  const system = systems[scenario.system]!;
-  const simulation = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system), from });
-  simulation.advance(() => false);
-  if (simulation.end!.reason !== 'end') throw new Error(simulation.end!.message);
-  const { columns, rows } = simulation.takeChunk();
-  const last = columns.map((c) => c[rows - 1]!);
-  const n = system.meta.coordinates.length;
-  return { time: last[0]!, q: last.slice(1, n + 1), v: last.slice(n + 1, 2 * n + 1) };
-}
-
-const distance = (a: Continuation, b: Continuation): number =>
-  Math.max(...[...a.q, ...a.v].map((x, i) => Math.abs(x - [...b.q, ...b.v][i]!)));
 
 describe('pulses of any width, shape and time, by every method, against runs made piece by piece', () => {
   const seen = tally('pulses');

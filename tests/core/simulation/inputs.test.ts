@@ -1,30 +1,11 @@
 import { describe, expect, test } from 'vitest';
-import { feedbackOf } from '../../../src/core/control/design/feedback.ts';
 import { methods } from '../../../src/core/integrators/methods.ts';
 import { InputPlan } from '../../../src/core/simulation/inputPlan.ts';
-import { Simulation, type Continuation } from '../../../src/core/simulation/simulation.ts';
-import { systems } from '../../../src/core/systems/all.ts';
-import { runOf, scenarioOf } from '../../helpers.ts';
+import { distance, endOf, runOf } from '../../helpers.ts';
 
 const adaptive = methods.filter((m) => m.adaptive).map((m) => m.id);
 
 type Raw = Record<string, unknown>;
-
-/** State at the end of a run, or why there is none. */
-function endOf(raw: Raw, from?: Continuation): Continuation {
-  const scenario = scenarioOf({ outputStep: 1000, ...raw });
-  const system = systems[scenario.system]!;
-  const simulation = new Simulation(scenario, system, { feedback: feedbackOf(scenario, system), from });
-  simulation.advance(() => false);
-  if (simulation.end!.reason !== 'end') throw new Error(simulation.end!.message);
-  const { columns, rows } = simulation.takeChunk();
-  const last = columns.map((c) => c[rows - 1]!);
-  const n = system.meta.coordinates.length;
-  return { time: last[0]!, q: last.slice(1, n + 1), v: last.slice(n + 1, 2 * n + 1) };
-}
-
-const distance = (a: Continuation, b: Continuation): number =>
-  Math.max(...[...a.q, ...a.v].map((x, i) => Math.abs(x - [...b.q, ...b.v][i]!)));
 
 describe('inputs that act briefly', () => {
   const wheel = { version: 1, system: 'rolling-wheel', duration: 20 };

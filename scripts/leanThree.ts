@@ -1,9 +1,15 @@
 // A Vite plugin: builds three.js from its single modules and without what this page never draws with. Half of what the
-// first view loads is three, and of that half much is text of shaders and headsets.
+// first view loads is three, and of that half much is text of shaders, headsets, and methods that nobody calls.
+import { readFileSync, readdirSync } from 'node:fs';
+import { dirname, join, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { withoutUnused } from './unusedMethods.ts';
 
-const SOURCE = fileURLToPath(new URL('../node_modules/three/src/Three.js', import.meta.url));
+const FOLDER = fileURLToPath(new URL('../node_modules/three/', import.meta.url));
+const SOURCE = join(FOLDER, 'src/Three.js');
+/** What takes three: the scene, and nothing beside it (`tests/repository/imports.test.ts`). */
+const SCENE = fileURLToPath(new URL('../src/scene/', import.meta.url));
 
 /**
  * Switches in three's shaders, and numbers of lights, that nothing of the scene turns on: their branches are left out.
@@ -97,21 +103,71 @@ export function leanShader(glsl: string): string {
   return `${out.join('\n')}\n`;
 }
 
+/** A module of three as it is built, apart from its methods. */
+function leanModule(path: string, code: string): string {
+  if (path.endsWith(join('webxr', 'WebXRManager.js'))) return NO_HEADSET;
+  const [, shader] = /[\\/]shaders[\\/]Shader(?:Chunk|Lib)[\\/](\w+)\.glsl\.js$/.exec(path) ?? [];
+  if (shader === undefined) return code;
+  const unused = dirname(path).endsWith('ShaderLib') && shader in UNUSED_SHADERS;
+  const text = (glsl: string): string =>
+    JSON.stringify(unused ? `#error ${shader} is left out (scripts/leanThree.ts)` : leanShader(glsl));
+  return code.replace(/`([^`]*)`/g, (_, glsl: string) => text(glsl));
+}
+
+/** Names that a script imports or passes on, each with where from. */
+function* imports(code: string): Generator<{ names: readonly string[]; from: string }> {
+  for (const [, list = '', from] of code.matchAll(/\b(?:import|export)\b([^;'"`]*?)\bfrom\s*['"]([^'"]+)['"]/g)) {
+    const inner = /\{([^}]*)\}/.exec(list)?.[1] ?? '';
+    const names = inner.split(',').map((name) => name.replace(/\btype\b|\bas\b.*/g, '').trim());
+    yield { names: names.filter(Boolean), from: from! };
+  }
+}
+
+/** The modules of three that the scene takes, with all that these take, as built apart from their methods. */
+function taken(users: readonly string[]): ReadonlyMap<string, string> {
+  const homes = new Map<string, string>();
+  for (const index of [SOURCE, join(FOLDER, 'src/Three.Core.js')])
+    for (const { names, from } of imports(readFileSync(index, 'utf8')))
+      for (const name of names) homes.set(name, join(FOLDER, 'src', from));
+  const found = new Map<string, string>();
+  const queue: string[] = [];
+  const follow = (code: string, folder: string): void => {
+    for (const { names, from } of imports(code)) {
+      if (from === 'three') queue.push(...names.flatMap((name) => homes.get(name) ?? []));
+      else if (from.startsWith('three/addons/')) queue.push(join(FOLDER, 'examples/jsm', from.slice(13)));
+      else if (folder !== SCENE && from.startsWith('.')) queue.push(join(folder, from));
+    }
+  };
+  for (const code of users) follow(code, SCENE);
+  for (let path = queue.pop(); path !== undefined; path = queue.pop()) {
+    if (found.has(path)) continue;
+    const code = leanModule(path, readFileSync(path, 'utf8'));
+    found.set(path, code);
+    follow(code, dirname(path));
+  }
+  return found;
+}
+
+/** Every module of three that is built, by path, and which of its methods are left out. */
+export function leanModules(): ReturnType<typeof withoutUnused> {
+  const users = readdirSync(SCENE, { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.ts'))
+    .map((name) => readFileSync(join(SCENE, name), 'utf8'));
+  return withoutUnused(taken(users), users);
+}
+
 export function leanThree(): Plugin {
+  let modules: ReturnType<typeof leanModules> | null = null;
   return {
     name: 'lean-three',
     apply: 'build',
     enforce: 'pre',
     resolveId: (source) => (source === 'three' ? SOURCE : undefined),
     transform(code, id) {
-      if (!id.includes('/three/src/')) return undefined;
-      if (id.endsWith('/webxr/WebXRManager.js')) return { code: NO_HEADSET, map: null };
-      const [, shader] = /\/shaders\/Shader(?:Chunk|Lib)\/(\w+)\.glsl\.js$/.exec(id) ?? [];
-      if (shader === undefined) return undefined;
-      const unused = id.includes('/ShaderLib/') && shader in UNUSED_SHADERS;
-      const text = (glsl: string): string =>
-        JSON.stringify(unused ? `#error ${shader} is left out (scripts/leanThree.ts)` : leanShader(glsl));
-      return { code: code.replace(/`([^`]*)`/g, (_, glsl: string) => text(glsl)), map: null };
+      if (!/\/three\/(?:src|examples)\//.test(id)) return undefined;
+      modules ??= leanModules();
+      const path = id.replaceAll('/', sep);
+      return { code: modules.get(path)?.code ?? leanModule(path, code), map: null };
     },
   };
 }

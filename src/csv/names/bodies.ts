@@ -3,6 +3,7 @@ import type { Source } from '../source.ts';
 import type { Attitude } from './attitude.ts';
 import type { Candidate } from './systems.ts';
 import { attitudeOf } from './vocabulary.ts';
+import { isQuantity } from './phrases.ts';
 import { withoutSuffix } from './plainName.ts';
 
 export interface Body {
@@ -18,6 +19,7 @@ const GENERIC =
 
 /** `cart` of `cart.Position.X`, `/cart/pose/position/x`, `der(cart.x)`; '' where a name has none. */
 export function bodyIn(name: string): string {
+  if (isQuantity(name)) return '';
   const inner = /^(?:der|d|dot)\s*\(\s*(.+?)\s*\)(?:\/dt)?$/i.exec(name)?.[1] ?? name;
   const words = (withoutSuffix(inner) ?? inner).split(/[./:|\s]+/).filter((word) => word !== '');
   const last = words.pop() ?? '';

@@ -1,6 +1,7 @@
 import type { SystemMeta } from '../../core/model/system.ts';
 import { factorOf, type Kind } from '../units/units.ts';
 import { splitTitle, unitBehind, unitsBehind } from '../units/titles.ts';
+import { phrasesOf } from './phrases.ts';
 import { plainName, ratesOf, withoutPrefix, withoutSuffix } from './plainName.ts';
 import { isDateName, isFrameName, timeRank } from '../time/timeNames.ts';
 
@@ -17,6 +18,8 @@ export interface Vocabulary {
   words: ReadonlyMap<string, Word>;
   /** Other names for its coordinates, which give way to their own. */
   aliases: ReadonlyMap<string, Word>;
+  /** What few words say of it in any language. */
+  phrase: ReturnType<typeof phrasesOf>;
   /** How many coordinates there are. */
   coordinates: number;
   /** What titles were found to mean: a header is looked at again and again until it is understood. */
@@ -40,113 +43,11 @@ export function attitudeOf(meta: SystemMeta): { yaw: string; pitch: string | nul
   return { yaw: 'theta', pitch: spatial ? 'psi' : null, roll: spatial ? 'alpha' : null };
 }
 
-const HEADINGS = [
-  'yaw',
-  'heading',
-  'hdg',
-  'yawangle',
-  'headingangle',
-  'gier',
-  'gierwinkel',
-  'cap',
-  'lacet',
-  'guinada',
-  'rumbo',
-  'imbardata',
-  'gieren',
-  'gierhoek',
-  'koers',
-  'kurs',
-  'kurswinkel',
-  'gir',
-  'girvinkel',
-  'odchylenie',
-  'kierunek',
-  'рыскание',
-  'курс',
-  'azimuth',
-  'orientation',
-  'orientierung',
-  '偏航',
-  '偏航角',
-  '航向',
-  '航向角',
-  'ヨー',
-  'ヨー角',
-  'rz',
-  'rotz',
-  'eulerz',
-  'rotationz',
-];
-const PITCHES = [
-  'pitch',
-  'pitchangle',
-  'nick',
-  'nickwinkel',
-  'nicken',
-  'tangage',
-  'cabeceo',
-  'тангаж',
-  '俯仰',
-  '俯仰角',
-  'ピッチ',
-  'pochylenie',
-  'beccheggio',
-  'ry',
-  'roty',
-  'eulery',
-];
-const ROLLS = [
-  'roll',
-  'rollangle',
-  'rollwinkel',
-  'rollen',
-  'roulis',
-  'alabeo',
-  'balanceo',
-  'крен',
-  '横滚',
-  '横滚角',
-  'ロール',
-  'przechylenie',
-  'rollio',
-  'rx',
-  'rotx',
-  'eulerx',
-  'bank',
-];
-const POSITIONS = [
-  'pos',
-  'position',
-  'posicion',
-  'posicao',
-  'posizione',
-  'positie',
-  'położenie',
-  'pozycja',
-  'lage',
-  'sijainti',
-  'poloha',
-  'konum',
-  'положение',
-  'координата',
-  'coordinate',
-  'coordinata',
-  'coordenada',
-  'coordonnee',
-  'koordinate',
-  'koordinat',
-  'wspolrzedna',
-  '位置',
-  '坐标',
-  '座標',
-  'p',
-  't',
-  'translation',
-  'coord',
-  'location',
-  'loc',
-];
+/** Beside the words of `languages.ts`. */
+const HEADINGS = ['orientation', 'orientierung', 'rz', 'rotz', 'eulerz', 'rotationz'];
+const PITCHES = ['ry', 'roty', 'eulery'];
+const ROLLS = ['rx', 'rotx', 'eulerx', 'bank'];
+const POSITIONS = ['pos', 'position', 'p', 't', 'translation', 'coord', 'location', 'loc'];
 
 const MOST_FOUND = 1000;
 const known = new WeakMap<SystemMeta, Vocabulary>();
@@ -185,7 +86,7 @@ export function vocabularyOf(meta: SystemMeta): Vocabulary {
           add(`${position}${open}${'xyz'.indexOf(q.name.toLowerCase())}${close}`, q.name, 'length', true, aliases);
       if (position.length > 1) add(q.name + position, q.name, 'length', true, aliases);
     }
-  const made = { words, aliases, coordinates: meta.coordinates.length, found: new Map() };
+  const made = { words, aliases, phrase: phrasesOf(meta), coordinates: meta.coordinates.length, found: new Map() };
   known.set(meta, made);
   return made;
 }
@@ -208,6 +109,9 @@ function named(name: string, unit: string, vocabulary: Vocabulary, rank: number)
   if (own) return { word: own, unit, rank };
   const other = aliases.get(plainName(name));
   if (other) return { word: other, unit, rank: rank + 2 };
+  const phrase = vocabulary.phrase(name);
+  const said = phrase && words.get(plainName(phrase.rate ? `${phrase.name}_dot` : phrase.name));
+  if (said) return { word: said, unit, rank: rank + (phrase.rate ? 3 : 2) };
   for (const base of ratesOf(name)) {
     const last = withoutPrefix(base);
     const of = [base, ...(last ? [last] : [])]

@@ -1,3 +1,4 @@
+import { isTimePhrase } from '../names/phrases.ts';
 import { plainName } from '../names/plainName.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
@@ -24,6 +25,7 @@ export function timeRank(name: string): number | null {
     /^(?:ros|gps|system|unix|sensor|device|world|wall|header\.?)?(?:time(?:stamp)?|stamp)(?:ms|us|ns|sec)?$/.test(plain)
   )
     return 2;
+  if (isTimePhrase(name)) return 1;
   return null;
 }
 

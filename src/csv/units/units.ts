@@ -93,7 +93,10 @@ export function factorOf(unit: string, kind: Kind): number | undefined {
   }
 }
 
-const words = (unit: string, spelled: string): [string, string][] => spelled.split(' ').map((word) => [word, unit]);
+/** Accents away: a word's end is then told by letters alone. */
+const unaccented = (text: string): string => text.normalize('NFD').replace(/[\u0300-\u036f]/g, '');
+const words = (unit: string, spelled: string): [string, string][] =>
+  spelled.split(' ').map((word) => [unaccented(word), unit]);
 /** Units as other languages spell them. */
 const WORDS = new Map([
   ...words('deg', 'graus graden grader stopnie stopni stupně stupne astetta derece град градусы градусов 度 °'),
@@ -114,7 +117,7 @@ const spelledPlainly = remembered(spelledOut);
 
 function spelledOut(unit: string): string {
   return (
-    unit
+    unaccented(unit)
       .trim()
       // The German degree; in lower case it may be a gon.
       .replace(/^Grad\b/, 'deg')
@@ -122,7 +125,7 @@ function spelledOut(unit: string): string {
       .replace(/μ/g, 'µ')
       .replace(/\s*(?:[·*]|\s)\s*s(?:\^?-1|⁻¹)$/, '/s')
       .replace(/\s*(?:\/|\bper\b)\s*/, '/')
-      .replace(/degrees?|degrés?|grados?|gradi|º/g, 'deg')
+      .replace(/degrees?|grados?|gradi|º/g, 'deg')
       .replace(/radians?|radiant|radiants?|radianes|radianti/g, 'rad')
       .replace(/\b(?:seconds?|secs?|sekunden?|secondes?|segundos?|secondi)\b/g, 's')
       .replace(/\b(?:milliseconds?|millis|msecs?|millisekunden?)\b/g, 'ms')
@@ -134,7 +137,7 @@ function spelledOut(unit: string): string {
       .replace(/\b(?:millimet(?:re|er)s?)\b/g, 'mm')
       .replace(/\b(?:centimet(?:re|er)s?)\b/g, 'cm')
       .replace(/\b(?:kilomet(?:re|er)s?)\b/g, 'km')
-      .replace(/\b(?:metres?|meters?|mètres?|metros?|metri)\b/g, 'm')
+      .replace(/\b(?:metres?|meters?|metros?|metri)\b/g, 'm')
       .replace(/\b(?:inch(?:es)?)\b/g, 'in')
       .replace(/\b(?:foot|feet)\b/g, 'ft')
       .replace(/\b(?:turns|revs?|revolutions?|umdrehung(?:en)?)\b/g, 'rev')

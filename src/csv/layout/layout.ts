@@ -214,7 +214,7 @@ function widthWith(titles: string[], rows: readonly string[][]): number {
 
 /** Index of the first line that is a row of the table: most of its cells are numbers, and it is as wide as most rows. */
 function firstRowOf(lines: readonly Line[], comma: boolean): number {
-  const forms = lines.map(({ cells }) => {
+  const forms = lines.slice(0, MOST_ROWS).map(({ cells }) => {
     let [numbers, others] = [0, 0];
     for (const cell of cells) {
       const form = formOf(cell, comma);

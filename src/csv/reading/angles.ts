@@ -1,4 +1,5 @@
 /** Angles as motion capture and sensors write them, made continuous, and attitudes as the contract's three angles. */
+import { extentOf, forgetExtent } from './extent.ts';
 
 /**
  * Takes whole turns out of jumps of more than half a turn from row to row, where the column is one that wraps: it stays
@@ -8,12 +9,7 @@
  */
 export function unwrap(x: Float64Array): number {
   const turn = 2 * Math.PI;
-  let [low, high] = [Infinity, -Infinity];
-  for (let i = 0; i < x.length; i++) {
-    const v = x[i]!;
-    if (v < low) low = v;
-    if (v > high) high = v;
-  }
+  const { low, high } = extentOf(x);
   if (!(high - low > Math.PI)) return 0;
   const symmetric = low >= -Math.PI - 1e-3 && high <= Math.PI + 1e-3;
   const positive = low >= -1e-3 && high <= turn + 1e-3;
@@ -31,6 +27,7 @@ export function unwrap(x: Float64Array): number {
     last = raw;
     x[i] = raw + shift;
   }
+  forgetExtent(x);
   return jumps;
 }
 

@@ -14,6 +14,9 @@ export interface Moment {
 export type DateOrder = 'day first' | 'month first';
 
 const LONGEST = 48;
+/** Digits of `20250417`, the one date that is a number too. */
+const COMPACT_LENGTH = 8;
+const isPlainNumber = (text: string): boolean => !Number.isNaN(+text);
 const CLOCK = /^([+-])?(?:(\d{1,5}):)?(\d{1,5}):(\d{1,2})(?:[.,:](\d{1,9}))?\s*([ap]\.?\s?m\.?)?$/i;
 const DURATION =
   /^P?(?:(\d+(?:[.,]\d+)?)\s*d(?:ays?)?,?)?\s*T?(?:(\d+(?:[.,]\d+)?)\s*h)?\s*(?:(\d+(?:[.,]\d+)?)\s*m(?:in)?)?\s*(?:(\d+(?:[.,]\d+)?)\s*s(?:ec)?)?$/i;
@@ -52,7 +55,7 @@ const ZONE = /\s*(?:Z|UTC|GMT|([+-])(\d{2}):?(\d{2})?)$/i;
 
 /** `[h:]m:s[.f]` (also with am, pm), `1h 2m 3s`, `PT1.5S`, `2 days 01:02:03`: in seconds, or null. */
 export function clockSeconds(text: string): number | null {
-  if (text.length > LONGEST) return null;
+  if (text.length > LONGEST || isPlainNumber(text)) return null;
   const clock = CLOCK.exec(text);
   if (clock) {
     const [, sign, hours = '0', minutes, seconds, fraction, half] = clock;
@@ -77,7 +80,7 @@ export function clockSeconds(text: string): number | null {
 
 /** A date in days since 1970, or null. Where a day and a month could be either, `order` decides. */
 export function dateDays(text: string, order: DateOrder = 'day first'): number | null {
-  if (text.length > LONGEST) return null;
+  if (text.length > LONGEST || (isPlainNumber(text) && text.length !== COMPACT_LENGTH)) return null;
   const iso = ISO_DATE.exec(text) ?? COMPACT_DATE.exec(text);
   if (iso) return days(+iso[1]!, +iso[2]!, +iso[3]!);
   const named = NAMED_DATE.exec(text);
@@ -112,7 +115,8 @@ export function isStamp(text: string): boolean {
 
 /** A date with a clock, `2025-04-17T17:00:08.020Z`, or one of the two; null for anything else. */
 export function moment(text: string, order: DateOrder = 'day first'): Moment | null {
-  if (text.length > LONGEST || text.length < 3) return null;
+  // Nearly all that comes here are names and numbers.
+  if (text.length > LONGEST || text.length < 3 || !/\d/.test(text)) return null;
   const plain = text
     .trim()
     .replace(WEEKDAY, '')

@@ -1,4 +1,5 @@
 import type { Question } from '../plan.ts';
+import { extentOf } from '../reading/extent.ts';
 
 /** A column whose unit nothing says. */
 export interface Unsaid {
@@ -72,12 +73,7 @@ export function doubtsOf(columns: readonly Unsaid[], t: Float64Array): Question[
 
 /** Largest size, and the way from the least to the most. */
 function extent(data: Float64Array): { largest: number; range: number } {
-  let [low, high] = [Infinity, -Infinity];
-  for (let i = 0; i < data.length; i++) {
-    const x = data[i]!;
-    if (x < low) low = x;
-    if (x > high) high = x;
-  }
+  const { low, high } = extentOf(data);
   return { largest: Math.max(0, -low, high), range: high - low };
 }
 
@@ -93,6 +89,9 @@ function swings(data: Float64Array): boolean {
 
 /** Rows of a path that are looked at: hundreds for each of its pieces. */
 const MOST_POINTS = 20000;
+/** Pieces, and squares of their turns (rad²), that are enough to know the ratio. */
+const ENOUGH_PIECES = 200;
+const ENOUGH_TURNED = 1;
 
 /** Turning of the path per unit of turning of the heading (least squares), or null where too little turns or moves. */
 function headingRatio(x: Float64Array, y: Float64Array, heading: Float64Array): number | null {
@@ -115,6 +114,8 @@ function headingRatio(x: Float64Array, y: Float64Array, heading: Float64Array): 
       product += path * head;
       square += head * head;
       pieces++;
+      // Degrees for radians would have turned 3000 times as much.
+      if (pieces >= ENOUGH_PIECES && square > ENOUGH_TURNED) break;
     }
     [turned, before, last] = [direction, middle, i];
   }

@@ -1,7 +1,7 @@
 // A Vite plugin: builds three.js from its single modules and without what this page never draws with. Half of what the
 // first view loads is three, and of that half much is text of shaders, headsets, and methods that nobody calls.
 import { readFileSync, readdirSync } from 'node:fs';
-import { dirname, join, sep } from 'node:path';
+import { basename, dirname, join, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 import { withoutUnused } from './unusedMethods.ts';
@@ -63,8 +63,11 @@ export const UNUSED_SHADERS: Readonly<Record<string, string>> = {
   vsm: 'VSMShadowMap',
 };
 
-/** What the renderer asks of a headset where there is none. */
-const NO_HEADSET = `
+/** Parts of the renderer that have nothing to do here: what it asks of them, and the word that whoever needs them would write. */
+export const IDLE: Readonly<Record<string, { needed: RegExp; code: string }>> = {
+  WebXRManager: {
+    needed: /\bXR|\bxr\b/,
+    code: `
 import { EventDispatcher } from '../../core/EventDispatcher.js';
 export class WebXRManager extends EventDispatcher {
   enabled = false;
@@ -72,7 +75,14 @@ export class WebXRManager extends EventDispatcher {
   getEnvironmentBlendMode() {}
   setAnimationLoop() {}
   dispose() {}
-}`;
+}`,
+  },
+  WebGLUniformsGroups: {
+    needed: /uniformsGroup/i,
+    code: 'export const WebGLUniformsGroups = function () { this.dispose = function () {}; };',
+  },
+  WebGLMorphtargets: { needed: /morph/i, code: 'export const WebGLMorphtargets = function () {};' },
+};
 
 /** One switch, or one number of lights, and nothing else. */
 const ALONE = /^(?:defined\(\s*(\w+)\s*\)|(\w+)\s*>\s*0|\(\s*(\w+)\s*>\s*0\s*\))$/;
@@ -105,7 +115,8 @@ export function leanShader(glsl: string): string {
 
 /** A module of three as it is built, apart from its methods. */
 function leanModule(path: string, code: string): string {
-  if (path.endsWith(join('webxr', 'WebXRManager.js'))) return NO_HEADSET;
+  const idle = IDLE[basename(path, '.js')];
+  if (idle) return idle.code;
   const [, shader] = /[\\/]shaders[\\/]Shader(?:Chunk|Lib)[\\/](\w+)\.glsl\.js$/.exec(path) ?? [];
   if (shader === undefined) return code;
   const unused = dirname(path).endsWith('ShaderLib') && shader in UNUSED_SHADERS;

@@ -2,7 +2,7 @@ import { closuresOf, mark } from './expressions/closures.ts';
 import { dualBeyondRange } from './expressions/beyondRange.ts';
 import { ExpressionError } from './expressions/expressionError.ts';
 import { operators, several, unary } from './expressions/functions.ts';
-import { limitAt } from './expressions/limits.ts';
+import { limitOf } from './expressions/limits.ts';
 import { parseMath, type MathTree } from './expressions/mathParser.ts';
 import { constants, MOST_DEPTH, plainText, type PlainText } from './expressions/plainText.ts';
 import { named, node, number, variable, type Node } from './expressions/tree.ts';
@@ -83,12 +83,12 @@ export function compiled(tree: Node): CompiledExpression {
     return mark.lost || mark.rate !== mark.rate ? dualBeyondRange(tree, t).rate : mark.rate;
   };
   const orLimit =
-    (f: (t: number) => number) =>
+    (which: 'value' | 'rate', f: (t: number) => number) =>
     (t: number): number => {
       const x = f(t);
-      return x === x ? x : limitAt(f, t);
+      return x === x ? x : limitOf(tree, which, f, t);
     };
-  return { evaluate: orLimit(value), derivative: orLimit(rate), constant: tree.constant, tree };
+  return { evaluate: orLimit('value', value), derivative: orLimit('rate', rate), constant: tree.constant, tree };
 }
 
 /**

@@ -200,6 +200,61 @@ describe('derivatives', () => {
     ['exp(1000*t)/exp(999*t)', 1, Math.E],
     ['1/(1+exp(exp(exp(t))))', 1e5, 0],
   ])('of %s at %f, its limit', (text, t, slope) => expect(of(text).derivative(t)).toBeCloseTo(slope, 9));
+
+  // u is 0 at `at`; u = factor (t - at) is exact beside it, where cos(u) and (1 + u)^(1/u) have steps of rounding.
+  const LIMITS: readonly (readonly [text: string, value: number, rate: number])[] = [
+    ['sin(u)/u', 1, 0],
+    ['(exp(u)-1)/u', 1, 1 / 2],
+    ['(1-cos(u))/u^2', 1 / 2, 0],
+    ['(u-sin(u))/u^3', 1 / 6, 0],
+    ['(cosh(u)-1)/(u*sin(u))', 1 / 2, 0],
+    ['log(cosh(u))/u^2', 1 / 2, 0],
+    ['log(1+u)/u', 1, -1 / 2],
+    ['(sqrt(1+u)-1)/u', 1 / 2, -1 / 8],
+    ['(2^u-1)/u', Math.LN2, Math.LN2 ** 2 / 2],
+    ['(1+u)^(1/u)', Math.E, -Math.E / 2],
+    ['atan2(u,1+u)/u', 1, -1],
+    ['asin(u)/u+acos(u)', 1 + Math.PI / 2, -1],
+    ['tan(u)/sinh(u)', 1, 0],
+    ['u*atan(1/u^2)', 0, Math.PI / 2],
+    ['u^3/u^2', 0, 1],
+    ['cbrt(u^3)', 0, 1],
+    ['sqrt(u^4)/u', 0, 1],
+    ['u*hypot(1,u)/abs(u)*sign(u)', 1, 0],
+    ['exp(-1/u^2)/u', 0, 0],
+    ['tanh(1/u)*u/abs(u)', 1, 0],
+    ['max(u,sin(u))*min(0,1-u)/u^2', 0, 0],
+    ['mod(u,3)*(1-cos(u))/u^2', 0, 1 / 2],
+    ['(1+floor(u)+ceil(-u))*u/tanh(u)', 1, 0],
+  ];
+  it.each(LIMITS)('%s has its limits %d and %d for u towards 0', (text, value, rate) => {
+    for (const [at, factor] of [
+      [0, 1],
+      [0.5, 0.3],
+      [2, 5],
+      [-3, 0.25],
+    ] as const) {
+      const f = of(text.replaceAll(/\bu\b/g, `(${factor}*(t-${at}))`));
+      expect(f.evaluate(at), `at ${at}`).toBeCloseTo(value, 12);
+      expect(f.derivative(at), `at ${at}`).toBeCloseTo(factor * rate, 11);
+    }
+  });
+
+  it('what grows without bound beside a point has no limit there', () => {
+    for (const text of ['ceil(log10(t))', 'sin(1/t)', '1/t-1/t^2', 'exp(1/t)/exp(2/t^2)+1/t'])
+      expect(of(text).evaluate(0), text).toBeNaN();
+  });
+
+  it.each([
+    ['log(cosh(t^4))', 1e5, 4e15],
+    ['log10(cosh(7+2*t))', -8e148, -2 / Math.LN10],
+    ['log(exp(t)^13.4)', 1e26, 13.4],
+    ['ln(atan(0.9^(t*t)))', -1e5, -2e5 * Math.log(0.9)],
+    ['log(atan2(9e-100*t, t^t))', 1e50, 1e-50 - (Math.log(1e50) + 1)],
+    ['sqrt(log(exp(t^2)+exp(t)))', 1e6, 1],
+  ])('the rate of %s at %f loses nothing to how large its parts are', (text, t, slope) =>
+    expect(of(text).derivative(t) / slope).toBeCloseTo(1, 12),
+  );
 });
 
 describe('texts of strangers', () => {

@@ -7,18 +7,23 @@ import { smooth } from './functions.ts';
  * J. ACM 31 (1984), 319-328, for level-index numbers). Their limits are then those of the composition: infinities never
  * appear inside, so neither do 0 * Infinity and Infinity / Infinity.
  *
- * A number of size e^L has a relative error of about 1e-16 |L|, as the argument of `exp` that made it has already.
+ * A number of size e^L has a relative error of about 1e-16 |L|, as the argument of `exp` that made it has already; its
+ * rate beside itself has not.
  * Not guaranteed: what is left when two numbers beyond e^(1e308) cancel.
  */
 
 /** A double, or sign * exp(log) beyond doubles (log is large and may be negative: then the number is tiny). */
 type Wide = number | { readonly sign: number; readonly log: Wide };
 
-/** A value and its rate. */
-interface Dual {
-  x: Wide;
-  dx: Wide;
-}
+/**
+ * A value and its rate, or its rate beside itself: of a number e^L with a large L the product of the two would lose that to
+ * rounding, and log(cosh(t^4)) needs it.
+ */
+type Dual = { readonly x: Wide; readonly dx: Wide } | { readonly x: Wide; readonly relative: Wide };
+
+const rateOf = (a: Dual): Wide => ('dx' in a ? a.dx : times(a.x, a.relative));
+const relativeOf = (a: Dual): Wide => ('dx' in a ? over(a.dx, a.x) : a.relative);
+const isBeyond = (a: Wide): boolean => typeof a !== 'number';
 
 /** Doubles up to here and down to its inverse are kept as such; their products don't leave the range of doubles. */
 const WIDEST = 1e150;
@@ -58,9 +63,10 @@ function times(a: Wide, b: Wide): Wide {
   if (typeof a === 'number' && typeof b === 'number') {
     const product = a * b;
     const size = Math.abs(product);
-    if ((size < WIDEST && size > 1 / WIDEST) || a === 0 || b === 0) return a === 0 || b === 0 ? 0 : product;
     if (product !== product) return NaN;
+    if ((size < WIDEST && size > 1 / WIDEST) || a === 0 || b === 0) return a === 0 || b === 0 ? 0 : product;
   }
+  if (isNaNumber(a) || isNaNumber(b)) return NaN;
   const sign = signOf(a) * signOf(b);
   return sign === 0 ? 0 : fromLog(sign, plus(logOf(a), logOf(b)));
 }
@@ -116,8 +122,8 @@ function power(base: Wide, exponent: Wide): Wide {
  * @param t s
  */
 export function dualBeyondRange(node: Node, t: number): { value: number; rate: number } {
-  const { x, dx } = dual(node, t);
-  return { value: toDouble(x), rate: toDouble(dx) };
+  const result = dual(node, t);
+  return { value: toDouble(result.x), rate: toDouble(rateOf(result)) };
 }
 
 /**
@@ -137,7 +143,8 @@ function dual(node: Node, t: number): Dual {
   const a = dual(node.args[0]!, t);
   if (node.op === '?') return dual(node.args[toChoice(node, a.x) ? 1 : 2]!, t);
   const b = node.args[1] ? dual(node.args[1], t) : a;
-  return decide(node.op) ? switched(node, a, b) : combined(node.op, a, b);
+  const result = decide(node.op) ? switched(node, a, b) : combined(node.op, a, b);
+  return node.constant ? { x: result.x, dx: 0 } : result;
 }
 
 const toChoice = (node: Node, condition: Wide): boolean =>
@@ -158,53 +165,89 @@ function switched(node: Node, a: Dual, b: Dual): Dual {
       : pairwise
         ? choose(p, q)
         : choose(op === 'sign' || op === 'abs' ? signOf(a.x) : whole, 1);
-  if (op === 'abs') return { x: times(d, a.x), dx: times(d, a.dx) };
+  if (op === 'abs') return d < 0 ? negated(a) : a;
   if (op === 'min' || op === 'max') return d ? b : a;
-  if (op === 'mod') return { x: minus(a.x, times(d, b.x)), dx: minus(a.dx, times(d, b.dx)) };
+  if (op === 'mod') return { x: minus(a.x, times(d, b.x)), dx: minus(rateOf(a), times(d, rateOf(b))) };
   return { x: Number.isFinite(d) ? d : a.x, dx: 0 };
 }
 
+const negated = (a: Dual): Dual =>
+  'dx' in a ? { x: negative(a.x), dx: negative(a.dx) } : { x: negative(a.x), relative: a.relative };
+
 function combined(op: string, a: Dual, b: Dual): Dual {
-  const { x, dx } = a;
-  const { x: y, dx: dy } = b;
+  const { x } = a;
+  const { x: y } = b;
+  // Neither is 0, and one is beyond doubles or told beside itself.
+  const relatively = signOf(x) * signOf(y) !== 0 && [a, b].some((part) => isBeyond(part.x) || 'relative' in part);
   switch (op) {
     case 'negative':
-      return { x: negative(x), dx: negative(dx) };
+      return negated(a);
     case '+':
-      return { x: plus(x, y), dx: plus(dx, dy) };
+      return sum(a, b);
     case '-':
-      return { x: minus(x, y), dx: minus(dx, dy) };
+      return sum(a, negated(b));
     case '*':
-      return { x: times(x, y), dx: plus(times(dx, y), times(x, dy)) };
+      return relatively
+        ? { x: times(x, y), relative: plus(relativeOf(a), relativeOf(b)) }
+        : { x: times(x, y), dx: plus(times(rateOf(a), y), times(x, rateOf(b))) };
     case '/': {
       const value = over(x, y);
-      return { x: value, dx: over(minus(dx, times(value, dy)), y) };
+      return relatively
+        ? { x: value, relative: minus(relativeOf(a), relativeOf(b)) }
+        : { x: value, dx: over(minus(rateOf(a), times(value, rateOf(b))), y) };
     }
     case '^':
-    case 'pow': {
-      const value = power(x, y);
-      const base = signOf(dx) === 0 || signOf(y) === 0 ? 0 : times(times(y, power(x, minus(y, 1))), dx);
-      // Of 0^y with y > 0 there is 0 left: x^y log(x) goes to 0 with x.
-      const noLog = signOf(x) < 0 || (signOf(x) === 0 && signOf(y) <= 0);
-      const exponent = signOf(dy) === 0 ? 0 : noLog ? NaN : signOf(x) === 0 ? 0 : times(times(value, logOf(x)), dy);
-      return { x: value, dx: plus(base, exponent) };
-    }
+    case 'pow':
+      return powerOf(a, b);
     case 'hypot': {
       const h = hypotenuse(x, y);
-      return { x: h, dx: plus(times(over(x, h), dx), times(over(y, h), dy)) };
+      return { x: h, dx: plus(times(over(x, h), rateOf(a)), times(over(y, h), rateOf(b))) };
     }
     case 'atan2': {
       // Of (y, x), the first two parts in this order.
       const h = hypotenuse(x, y);
+      const ratio = over(x, y);
+      if (relatively && signOf(y) > 0 && Math.abs(toDouble(ratio)) < SMALL)
+        return { x: ratio, relative: minus(relativeOf(a), relativeOf(b)) };
       const angle = Math.atan2(toDouble(over(x, h)), toDouble(over(y, h)));
-      return { x: angle, dx: over(minus(times(over(y, h), dx), times(over(x, h), dy)), h) };
+      return { x: angle, dx: over(minus(times(over(y, h), rateOf(a)), times(over(x, h), rateOf(b))), h) };
     }
     default:
-      return ofOne(op, x, dx);
+      return ofOne(op, a);
   }
 }
 
+/** Below it a number is its own arc tangent. */
+const SMALL = 1e-8;
+
+function sum(a: Dual, b: Dual): Dual {
+  const x = plus(a.x, b.x);
+  if (!isBeyond(x) || signOf(x) === 0) return { x, dx: plus(rateOf(a), rateOf(b)) };
+  const share = (part: Dual): Wide =>
+    signOf(part.x) === 0 ? over(rateOf(part), x) : times(over(part.x, x), relativeOf(part));
+  return { x, relative: plus(share(a), share(b)) };
+}
+
+function powerOf(a: Dual, b: Dual): Dual {
+  const { x } = a;
+  const { x: y } = b;
+  const [dx, dy] = [rateOf(a), rateOf(b)];
+  const value = power(x, y);
+  if (signOf(x) > 0 && (isBeyond(value) || isBeyond(x))) {
+    const byBase = signOf(dx) === 0 ? 0 : times(y, relativeOf(a));
+    return { x: value, relative: plus(byBase, signOf(dy) === 0 ? 0 : times(dy, logOf(x))) };
+  }
+  // Of a root at 0 neither its slope nor what is under it tells the rate.
+  if (signOf(x) === 0 && signOf(y) > 0 && less(y, 1)) return { x: value, dx: NaN };
+  const base = signOf(dx) === 0 || signOf(y) === 0 ? 0 : times(times(y, power(x, minus(y, 1))), dx);
+  // Of 0^y with y > 0 there is 0 left: x^y log(x) goes to 0 with x.
+  const noLog = signOf(x) < 0 || (signOf(x) === 0 && signOf(y) <= 0);
+  const exponent = signOf(dy) === 0 ? 0 : noLog ? NaN : signOf(x) === 0 ? 0 : times(times(value, logOf(x)), dy);
+  return { x: value, dx: plus(base, exponent) };
+}
+
 function hypotenuse(x: Wide, y: Wide): Wide {
+  if (isNaNumber(x) || isNaNumber(y)) return NaN;
   const size = (a: Wide): Wide => times(signOf(a), a);
   const [large, small] = less(size(x), size(y)) ? [size(y), size(x)] : [size(x), size(y)];
   if (signOf(large) === 0) return 0;
@@ -215,22 +258,25 @@ function hypotenuse(x: Wide, y: Wide): Wide {
 const half = (a: Wide): Wide => times(0.5, a);
 
 /** Functions of one argument: by their exponentials and logarithms where the argument or the result leaves doubles. */
-function ofOne(op: string, x: Wide, dx: Wide): Dual {
-  const scaled = (value: Wide, slope: Wide): Dual => ({ x: value, dx: signOf(dx) === 0 ? 0 : times(slope, dx) });
+function ofOne(op: string, a: Dual): Dual {
+  const { x } = a;
+  const dx = rateOf(a);
+  const still = signOf(dx) === 0;
+  const beside = (value: Wide, relative: () => Wide): Dual =>
+    still ? { x: value, dx: 0 } : { x: value, relative: relative() };
+  const scaled = (value: Wide, slope: Wide): Dual => ({ x: value, dx: still ? 0 : times(slope, dx) });
   const plain = toDouble(x);
   const size = Math.abs(plain);
   const inverse = (): Wide => over(1, x);
   switch (op) {
     case 'exp': {
-      const value = exponential(x);
-      return scaled(value, value);
+      return beside(exponential(x), () => dx);
     }
     case 'sinh':
     case 'cosh': {
       if (size < 300) break;
       const value = half(exponential(times(signOf(x), x)));
-      const odd = times(signOf(x), value);
-      return op === 'sinh' ? scaled(odd, value) : scaled(value, odd);
+      return beside(op === 'sinh' ? times(signOf(x), value) : value, () => times(signOf(x), dx));
     }
     case 'tanh':
       if (size < 300) break;
@@ -241,14 +287,18 @@ function ofOne(op: string, x: Wide, dx: Wide): Dual {
     case 'log10': {
       if (signOf(x) <= 0) return scaled(NaN, NaN);
       const base = op === 'log2' ? Math.LN2 : op === 'log10' ? Math.LN10 : 1;
-      return scaled(over(logOf(x), base), over(inverse(), base));
+      return { x: over(logOf(x), base), dx: still ? 0 : over(relativeOf(a), base) };
     }
     case 'sqrt': {
       const value = power(x, 0.5);
+      if (signOf(x) === 0) return { x: value, dx: NaN };
+      if (isBeyond(x)) return beside(value, () => half(relativeOf(a)));
       return scaled(value, over(0.5, value));
     }
     case 'cbrt': {
       const value = times(signOf(x), power(times(signOf(x), x), 1 / 3));
+      if (signOf(x) === 0) return { x: value, dx: NaN };
+      if (isBeyond(x)) return beside(value, () => over(relativeOf(a), 3));
       return scaled(value, over(over(over(1 / 3, value), value), 1));
     }
     case 'atan':
@@ -262,7 +312,7 @@ function ofOne(op: string, x: Wide, dx: Wide): Dual {
       ? scaled(1, op === 'cos' ? negative(x) : x)
       : op === 'acos'
         ? scaled(Math.PI / 2, -1)
-        : scaled(x, 1);
+        : a;
   const value = one.f(plain);
   return scaled(value, one.rate(plain, 1, value));
 }

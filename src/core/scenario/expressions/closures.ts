@@ -7,8 +7,8 @@ import { logarithm, power as powerOf } from '../../elementary/powers.ts';
  *
  * Rates are exact, by forward differentiation with dual numbers (Griewank and Walther, Evaluating Derivatives,
  * 2nd ed., SIAM 2008, section 3.1). Every part is visited once, so that a nested text of a stranger costs no more than
- * its length; nothing is allocated. A part with a rate of zero contributes zero even where its slope is infinite
- * (`sqrt(0 * t)`).
+ * its length; nothing is allocated. A root at 0 of what does not move there (`cbrt(t^3)`, `sqrt(0 * t)`) has no rate by
+ * its parts; `limits.ts` finds it.
  *
  * Where a number inside leaves the range of doubles the result may be lost although it is a number (0 * Infinity);
  * `mark.lost` tells, and `beyondRange.ts` computes it again.
@@ -74,9 +74,10 @@ export function closuresOf(node: Node): Closures {
   if (!one) return binary(node.op, parts[0]!, parts[1] ?? parts[0]!);
   const [a] = parts as [Closures];
   // A root brings back what has vanished.
-  const root = node.op === 'sqrt' || node.op === 'cbrt' || one.f === logarithm;
+  const root = node.op === 'sqrt' || node.op === 'cbrt';
+  const lossy = root || one.f === logarithm;
   const f = (x: number): number => {
-    if (root && Math.abs(x) < VANISHING) mark.lost = true;
+    if (lossy && Math.abs(x) < VANISHING) mark.lost = true;
     return kept(one.f(x));
   };
   return {
@@ -88,7 +89,7 @@ export function closuresOf(node: Node): Closures {
       if (dx !== 0) {
         mark.rate = kept(one.rate(x, dx, fx));
         if (mark.rate === 0 && Math.abs(dx) > LARGE) mark.lost = true;
-      }
+      } else if (root && fx === 0 && !node.constant) mark.rate = NaN;
       return fx;
     },
   };
@@ -175,6 +176,7 @@ const power: Operation = [
     return kept(powerOf(x, y));
   },
   (x, dx, y, dy, value) => {
+    if (x === 0 && y > 0 && y < 1) return NaN;
     const base = dx === 0 || y === 0 ? 0 : times(times(y, kept(powerOf(x, y - 1))), dx);
     return dy === 0 || (value === 0 && x === 0) ? base : base + times(times(value, logarithm(x)), dy);
   },

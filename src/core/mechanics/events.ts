@@ -7,11 +7,8 @@ export interface EventFunction {
   /** Evaluated at a state; positive before the event. */
   value(t: number, q: Float64Array, v: Float64Array): number;
   message(t: number): string;
-  /**
-   * Points of each step that are looked at, the last its end; with more than one a dip between two is looked for too, which
-   * asks for a smooth value.
-   */
-  readonly looks: number;
+  /** Looked for anywhere within a step, however often it crosses; of another, too dear for that, the steps' ends tell. */
+  readonly smooth: boolean;
 }
 
 /** The scaled constraints count as dependent when their smallest eigenvalue is this small. */
@@ -35,7 +32,7 @@ export function eventsOf(
     if (!here || actions[id] === 'ignore') continue;
     list.push({
       id,
-      looks: 4,
+      smooth: true,
       value: (_t, q, v) => value(q, v, dynamics.parameters),
       message: (t) => `${id}: ${label} at t = ${t.toFixed(3)} s`,
     });
@@ -45,7 +42,7 @@ export function eventsOf(
     const clearance = system.clearance;
     list.push({
       id: 'touchdown',
-      looks: 4,
+      smooth: true,
       value: (_t, q) => clearance(q, dynamics.parameters),
       message: (t) =>
         `touchdown: ${system.meta.touchdown?.label ?? 'a part'} reached the ground at t = ${t.toFixed(3)} s`,
@@ -54,7 +51,7 @@ export function eventsOf(
   if (actions['constraint-singular'] !== 'ignore') {
     list.push({
       id: 'constraint-singular',
-      looks: 1,
+      smooth: false,
       value: (t, q, v) => {
         // Only the sign counts; the eigenvalue itself is needed near zero alone.
         const bound = dynamics.independenceBoundAt(t, q, v);

@@ -6,7 +6,7 @@ import { eventsOf, type EventFunction } from '../mechanics/events.ts';
 import { actuationOf, type Actuation } from './actuation.ts';
 import { EnergyBalance, type EnergyNumbers, type Power } from './energyBalance.ts';
 import { planOfTime, sightOf, type InputPlan, type PlanOptions } from './inputPlan.ts';
-import { dipBetween } from './dip.ts';
+import { firstCrossing, type Crossing } from './firstCrossing.ts';
 import { failureMessage } from './failureMessage.ts';
 import type { Saturation } from './saturation.ts';
 import type { Feedback, Forcing } from '../mechanics/forcing.ts';
@@ -83,6 +83,13 @@ const LIMIT_LOOKS = 4;
 /** Limits that are reached and left at one moment: beyond so many turns the limit acts at every moment of one step. */
 const MOST_TURNS = 6;
 
+/** An event is glanced at over ways of a coordinate no longer than this, m and rad, in up to so many pieces of a step. */
+const LOOKED_AT = { length: 0.1, angle: 0.2 };
+const MOST_PIECES = 500;
+
+/** How far an event may be off before a projection, beside how far it is at the end of the step. */
+const UNPROJECTED = 8;
+
 /** What `columns` of a scenario may ask for; state columns are always there. */
 export const EXTRA_COLUMNS = ['lambda', 'energy', 'residual', 'inputs'] as const;
 
@@ -141,6 +148,9 @@ export class Simulation {
   private readonly rowProjection: Projection;
   private readonly events: EventFunction[];
   private readonly eventValues: Float64Array;
+  /** State at which events were last looked at. */
+  private readonly eventQ: Float64Array;
+  private readonly eventV: Float64Array;
   private chunk: Float64Array[];
   private readonly lambda: Float64Array;
   private readonly u: Float64Array;
@@ -220,6 +230,8 @@ export class Simulation {
     this.columns = this.columnNames();
     this.chunk = this.newChunk();
     this.events = eventsOf(system, this.dynamics, scenario.events);
+    this.eventQ = new Float64Array(n);
+    this.eventV = new Float64Array(n);
     this.eventValues = new Float64Array(this.events.length);
     const { engine, map, stepper, problem, rowProjection } = motionOf(scenario.method, this.dynamics);
     this.rowProjection = rowProjection?.(this.rowDynamics) ?? new Projection(this.rowDynamics);
@@ -353,6 +365,8 @@ export class Simulation {
     this.plan?.held?.begin(time, q, v);
     this.emit(time);
     for (const saturation of this.plan?.saturations ?? []) saturation.decide(time, q, v);
+    this.eventQ.set(q);
+    this.eventV.set(v);
     this.events.forEach((event, i) => {
       const value = event.value(time, this.q, this.v);
       this.eventValues[i] = value;
@@ -547,51 +561,54 @@ export class Simulation {
     const { stepper, events } = this;
     const { previousT, t } = stepper;
     let first: { event: EventFunction; time: number } | null = null;
+    const pieces = events.some(({ smooth }) => smooth) ? this.piecesOf(t - previousT) : 1;
     for (let e = 0; e < events.length; e++) {
       const event = events[e]!;
-      if (event.looks === 1) {
-        const before = this.eventValues[e]!;
-        const value = (this.eventValues[e] = event.value(t, this.endQ, this.endV));
-        if (value > 0 || !(before > 0)) continue;
-        const time = this.bisect(event, previousT, t);
-        if (!first || time < first.time) first = { event, time };
-        continue;
-      }
-      const values = [this.eventValues[e]!];
-      const times = [previousT];
-      for (let look = 1; look <= event.looks; look++) {
-        const high = look === event.looks ? t : previousT + ((t - previousT) * look) / event.looks;
-        times.push(high);
-        values.push(high === t ? event.value(t, this.endQ, this.endV) : this.valueAt(event, high));
-        if (!(values[look]! > 0)) break;
-      }
-      this.eventValues[e] = values.at(-1)!;
-      const time = this.crossingAmong(event, times, values);
-      if (time !== null && (!first || time < first.time)) first = { event, time };
+      const before = this.eventValues[e]!;
+      const value = (this.eventValues[e] = event.value(t, this.endQ, this.endV));
+      if (!event.smooth && (value > 0 || !(before > 0))) continue;
+      const within = event.smooth ? this.crossingOf(event, before, value, pieces) : ([previousT, t] as const);
+      if (!within) continue;
+      const time = this.bisect(event, ...within);
+      if (!first || time < first.time) first = { event, time };
     }
     return first;
   }
 
-  private valueAt(event: EventFunction, time: number): number {
-    this.lookAt(time);
-    return event.value(time, this.sampleQ, this.sampleV);
+  /** By how far the state goes in a step of h: what an event is a function of. */
+  private piecesOf(h: number): number {
+    const { eventQ, eventV, endQ, endV, system } = this;
+    let most = 1;
+    system.meta.coordinates.forEach(({ kind, pure }, i) => {
+      const way = Math.max(Math.abs(endQ[i]! - eventQ[i]!), h * Math.abs(eventV[i]!), h * Math.abs(endV[i]!));
+      if (!pure) most = Math.max(most, way / LOOKED_AT[kind]);
+    });
+    eventQ.set(endQ);
+    eventV.set(endV);
+    return Math.min(MOST_PIECES, Math.ceil(most));
   }
 
-  /** The first crossing between these times of the last step, with the event's values there; a quick dip between two is one. */
-  private crossingAmong(event: EventFunction, times: readonly number[], values: readonly number[]): number | null {
-    let change = 0;
-    for (let i = 1; i < values.length; i++) change = Math.max(change, Math.abs(values[i]! - values[i - 1]!));
-    for (let i = 1; i < values.length; i++) {
-      const [low, high] = [times[i - 1]!, times[i]!];
-      const [lowValue, highValue] = [values[i - 1]!, values[i]!];
-      if (!(lowValue > 0)) continue;
-      if (!(highValue > 0)) return this.bisect(event, low, high);
-      // A parabola that dips below zero between two of its values changes by four times the lesser between two others.
-      if (Math.min(lowValue, highValue) > change) continue;
-      const dip = dipBetween((time) => this.valueAt(event, time), low, lowValue, high, highValue);
-      if (dip !== null) return this.bisect(event, low, dip);
-    }
-    return null;
+  /** In the last step, at whose ends an event has these values: of the motion as its rows show it, projected. */
+  private crossingOf(event: EventFunction, before: number, after: number, pieces: number): Crossing | null {
+    const { previousT, t } = this.stepper;
+    const atEnds =
+      (within: (time: number) => number) =>
+      (time: number): number =>
+        time === previousT ? before : time === t ? after : within(time);
+    const nearly = (time: number): number => {
+      this.lookAt(time);
+      return event.value(time, this.sampleQ, this.sampleV);
+    };
+    if (!this.projecting) return firstCrossing({ value: atEnds(nearly), pieces }, previousT, t);
+    const off = UNPROJECTED * Math.abs(nearly(t) - after);
+    const value = atEnds((time) => this.projectedValueAt(event, time));
+    return firstCrossing({ value, pieces, nearly: atEnds(nearly), off }, previousT, t);
+  }
+
+  private projectedValueAt(event: EventFunction, time: number): number {
+    this.lookAt(time);
+    if (this.projecting) this.rowProjection.project(time, this.sampleQ, this.sampleV);
+    return event.value(time, this.sampleQ, this.sampleV);
   }
 
   /** What is to be said at the end of a free body's run whose fixed steps were too long beside pitch 90°. */
@@ -607,11 +624,8 @@ export class Simulation {
 
   /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */
   private bisect(event: EventFunction, low: number, high: number): number {
-    const { sampleQ: q, sampleV: v } = this;
     for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
-      this.lookAt(middle);
-      if (this.projecting) this.projection.project(middle, q, v);
-      if (event.value(middle, q, v) > 0) low = middle;
+      if (this.projectedValueAt(event, middle) > 0) low = middle;
       else high = middle;
     }
     return high;

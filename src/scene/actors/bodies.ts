@@ -2,6 +2,7 @@
 import {
   type BufferGeometry,
   type Group as GroupType,
+  type Material,
   type Scene,
   type Matrix4,
   type MeshStandardMaterial,
@@ -10,11 +11,36 @@ import {
   Mesh,
   Vector3,
 } from 'three';
+import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { BodyModel, MeshPair } from '../contract.ts';
-import { dress } from './materials.ts';
-import { parsePair } from './meshGroup.ts';
-import { MeshError } from './meshText.ts';
+import { dress, surfaceFrom } from './materials.ts';
+import { checkMaterials, checkMesh, MeshError } from './meshText.ts';
 import type { Palette } from '../palette.ts';
+
+/** Edges sharper than this (rad) stay edges where the file gives no normals. */
+const CREASE = 0.6;
+
+/** One pair as a group in the body's own frame (m). Throws `MeshError`; never touches the network. */
+export function parsePair(pair: MeshPair, name: string): GroupType {
+  const mesh = checkMesh(pair.mdl, `${name}.mdl`);
+  const materials = checkMaterials(pair.mat, `${name}.mat`);
+  try {
+    const group = new OBJLoader().setMaterials(new MTLLoader().parse(materials, '')).parse(mesh);
+    const withNormals = /^vn\s/m.test(mesh);
+    group.traverse((child) => {
+      if (!(child instanceof Mesh)) return;
+      const part = child as Mesh<BufferGeometry, Material | Material[]>;
+      if (!withNormals) part.geometry = toCreasedNormals(part.geometry, CREASE);
+      part.material = Array.isArray(part.material) ? part.material.map(surfaceFrom) : surfaceFrom(part.material);
+      part.castShadow = part.receiveShadow = true;
+    });
+    return group;
+  } catch (error) {
+    throw new MeshError(`${name}.mdl: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
+  }
+}
 
 interface Drawn {
   model: BodyModel;

@@ -1,8 +1,7 @@
 /** Surfaces: what a material of a mesh file looks like, by its name and colour. */
 import type { ColourRole } from '../../core/model/system.ts';
-import { Color, MeshStandardMaterial, SRGBColorSpace } from 'three';
+import { type Material, Color, MeshStandardMaterial } from 'three';
 import type { Palette } from '../palette.ts';
-import type { MeshMaterial } from './meshText.ts';
 import { lightInStudio } from '../environment/softboxes.ts';
 
 export interface Finish {
@@ -45,22 +44,19 @@ export function finishOf(name: string): Finish {
   return FINISHES.find((finish) => finish.words.test(lower)) ?? PLASTIC;
 }
 
-/** White, where a mesh names a material that its file does not have. */
-const PLAIN: MeshMaterial = { color: [1, 1, 1], opacity: 1 };
-
-/** A lit surface for a material of a mesh file, by its name, in its diffuse colour. */
-export function surfaceFrom(name: string, { color: given, opacity }: MeshMaterial = PLAIN): MeshStandardMaterial {
-  const finish = finishOf(name);
-  const color = new Color().setRGB(...given, SRGBColorSpace);
+/** A lit surface for a material of a mesh file. `source.color` (Kd) is kept; textures are not. */
+export function surfaceFrom(source: Material & { color?: Color }): MeshStandardMaterial {
+  const finish = finishOf(source.name);
+  const color = source.color?.clone() ?? new Color('#9aa1a8');
   const surface = new MeshStandardMaterial({
-    name,
+    name: source.name,
     color,
     roughness: finish.roughness,
     metalness: finish.plainMetalness,
     emissive: color.clone(),
     emissiveIntensity: finish.glow,
-    transparent: opacity < 1,
-    opacity,
+    transparent: source.opacity < 1,
+    opacity: source.opacity,
   });
   surface.userData['finish'] = finish;
   lightInStudio(surface);

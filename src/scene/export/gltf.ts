@@ -2,7 +2,7 @@
 import { type BufferGeometry, type MeshStandardMaterial, type Object3D, Group, Mesh, Scene, Vector3 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
-import { parsePair } from '../actors/meshGroup.ts';
+import { parsePair } from '../actors/bodies.ts';
 import type { BodyModel, Cast, MeshPair } from '../contract.ts';
 import { withAnimation } from './glbFile.ts';
 import { BodyKeys, TimeKeys, WheelKeys } from './keyframes.ts';

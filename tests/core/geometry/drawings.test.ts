@@ -7,8 +7,8 @@ import { spokedWheel } from '../../../src/core/geometry/wheels.ts';
 import type { SystemMeta } from '../../../src/core/model/system.ts';
 import { systemViews } from '../../../src/core/systems/registry.ts';
 import { drawingOf } from '../../drawings.ts';
-import { parsePair } from '../../../src/scene/actors/meshGroup.ts';
-import { readMaterials, readMesh } from '../../../src/scene/actors/meshText.ts';
+import { parsePair } from '../../../src/scene/actors/bodies.ts';
+import { checkMaterials, checkMesh } from '../../../src/scene/actors/meshText.ts';
 
 const defaults = (meta: SystemMeta): Record<string, number> =>
   Object.fromEntries(meta.parameters.map((p) => [p.name, p.default]));
@@ -99,8 +99,8 @@ describe.each(Object.values(systemViews).map((view) => [view.meta.id, view] as c
       expect(bodies.map(({ id, role }) => ({ id, role }))).toEqual(meta.bodies.map(({ id, role }) => ({ id, role })));
       for (const { model } of [...bodies, ...fixtures]) {
         const { mdl, mat } = pairs[model]!;
-        readMesh(mdl, `${model}.mdl`);
-        readMaterials(mat, `${model}.mat`);
+        checkMesh(mdl, `${model}.mdl`);
+        checkMaterials(mat, `${model}.mat`);
         expect(`${mdl}${mat}`).not.toMatch(/NaN|Infinity|undefined/);
         const known = new Set([...mat.matchAll(/^newmtl (.+)$/gm)].map((m) => m[1]));
         for (const [, used] of mdl.matchAll(/^usemtl (.+)$/gm)) expect(known).toContain(used);

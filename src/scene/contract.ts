@@ -158,6 +158,8 @@ export interface SceneOptions {
   onPushEnd?: () => void;
   /** CSS pixels per metre at what is looked at, when that has changed. */
   onScale?: (pixelsPerMetre: number) => void;
+  /** In haste something is left out from now on, or nothing any more. */
+  onCoarse?: (coarse: boolean) => void;
 }
 
 export interface Placement {

@@ -1,6 +1,22 @@
 /** The 3-D view: gets poses, tracks and forces, draws them when asked, and knows nothing of where they came from. */
-import { BoxGeometry, Color, Fog, Group, Mesh, MeshBasicMaterial, Scene, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  Color,
+  Fog,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PlaneGeometry,
+  Scene,
+  ShaderMaterial,
+  Vector3,
+  WebGLRenderTarget,
+} from 'three';
 import type { Gates } from './actors/gates.ts';
+import type { Plain } from './actors/plain.ts';
 import { CameraRig } from './camera/camera.ts';
 import type { Frame, SceneOptions, ScreenBox, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './environment/device.ts';
@@ -61,6 +77,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const haste = new Haste(software);
   /** Loaded with the first of them. */
   let gates: Gates | null = null;
+  /** Loaded with the first picture in haste that leaves something out. */
+  let plain: Plain | null = null;
   let hasty = false;
   let quality = options.quality ?? 'auto';
 
@@ -117,15 +135,44 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     parts.handle.follow(camera);
     look(target, distance, camera.position.z);
     const done = room.watch(announced ? frames : 0);
-    renderer.render(scene, camera);
+    if (plain && haste.plain) plain.draw(renderer, scene, camera);
+    else renderer.render(scene, camera);
     done();
   }
 
   /** As fine as there is time for. */
   function sharpen(): void {
-    parts.setShadows(haste.shadows);
+    parts.setPlain(haste.plain);
+    options.onCoarse?.(haste.plain);
+    setPlain(haste.plain);
     fitCanvas();
     measure();
+  }
+
+  function setPlain(wanted: boolean): void {
+    if (!wanted) {
+      bodies.setPlain(null);
+      ghosts.follow();
+    } else
+      void import('./actors/plain.ts').then(({ Plain }) => {
+        if (!haste.plain || disposed) return;
+        plain ??= new Plain(
+          {
+            BufferAttribute,
+            BufferGeometry,
+            Camera,
+            Mesh,
+            MeshLambertMaterial,
+            PlaneGeometry,
+            ShaderMaterial,
+            WebGLRenderTarget,
+          },
+          software,
+        );
+        bodies.setPlain(plain);
+        ghosts.follow();
+        requestRender();
+      });
   }
 
   function fitCanvas(): void {
@@ -270,7 +317,14 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     setGates(list) {
       if (list.length > 0 || gates)
         void import('./actors/gates.ts').then(({ Gates }) => {
-          gates ??= new Gates(scene, palette, { BoxGeometry, Group, Mesh, MeshBasicMaterial });
+          gates ??= new Gates(scene, palette, {
+            BoxGeometry,
+            BufferAttribute,
+            BufferGeometry,
+            Color,
+            Mesh,
+            MeshBasicMaterial,
+          });
           gates.set(list, focus.plan.floor);
           requestRender();
         });
@@ -372,6 +426,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       cancelAnimationFrame(requested);
       stopWatching();
       gates?.dispose();
+      plain?.dispose();
       for (const part of [pushDrag, rig, room, parts]) part.dispose();
       renderer.dispose();
     },

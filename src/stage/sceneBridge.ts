@@ -28,6 +28,7 @@ export async function connectScene(
         void (problem.value = 'The graphics processor gave up the 3-D view; it comes back by itself. Nothing is lost.'),
       onContextRestored: () => void (problem.value = null),
       onScale: (pixels) => actions.setPixelsPerMetre(pixels),
+      onCoarse: (coarse) => actions.setCoarse(coarse),
       ...pointerPush(app),
     });
   } catch (error) {

@@ -21,16 +21,16 @@ export function sample(trajectory: Trajectory, name: string, time: number): numb
 /** The playback time, but not on every frame; the last change always arrives. */
 export function useSlowTime(interval = INTERVAL): number {
   const { state } = useUi().app;
-  const [slow] = useState(() => signal(state.time.peek()));
+  const [slow] = useState(() => signal(state.readTime.peek()));
   useEffect(() => {
     let timer: ReturnType<typeof setTimeout> | undefined;
     let last = 0;
     const show = () => {
       timer = undefined;
       last = performance.now();
-      slow.value = state.time.peek();
+      slow.value = state.readTime.peek();
     };
-    const stop = state.time.subscribe(() => {
+    const stop = state.readTime.subscribe(() => {
       timer ??= setTimeout(show, Math.max(0, interval - (performance.now() - last)));
     });
     return () => {

@@ -12,13 +12,13 @@ test('a fast device draws all of it in haste, a slow one less and less, none mor
   const haste = new Haste(false);
   haste.set(true);
   expect(draw(haste, 16.7, 200)).toBe(0);
-  expect([haste.share, haste.shadows]).toEqual([1, true]);
+  expect([haste.share, haste.plain]).toEqual([1, false]);
   expect(draw(haste, 40, 200, 5000)).toBe(3);
-  expect([haste.share, haste.shadows]).toEqual([0.35, false]);
+  expect([haste.share, haste.plain]).toEqual([0.4, true]);
   draw(haste, 16.7, 200, 20_000);
-  expect(haste.share).toBe(0.35);
+  expect(haste.share).toBe(0.4);
   haste.set(false);
-  expect([haste.share, haste.shadows]).toEqual([1, true]);
+  expect([haste.share, haste.plain]).toEqual([1, false]);
 });
 
 test('out of haste nothing is left out; without a graphics card much of it is from the first picture', () => {
@@ -26,5 +26,5 @@ test('out of haste nothing is left out; without a graphics card much of it is fr
   expect(draw(haste, 200, 100)).toBe(0);
   expect(haste.share).toBe(1);
   haste.set(true);
-  expect([haste.share, haste.shadows]).toEqual([0.5, false]);
+  expect([haste.share, haste.plain]).toEqual([0.55, true]);
 });

@@ -65,6 +65,8 @@ export interface Ride extends RideStart {
 
 /** Share of a run after which its pace is known. */
 const PACED = 0.05;
+/** How often what is read of a ride is brought up to date, ms. */
+const READ_MS = 200;
 
 /** Starts runs and turns what the worker sends into the motion being watched. */
 export class Runs {
@@ -258,6 +260,7 @@ export class Runs {
     const run = stage.state.run.peek();
     this.request.value = draft;
     let adopted = false;
+    let read = -Infinity;
     const take = (over: boolean): void => {
       adopted ||= this.adopt(motion!, entry, over);
     };
@@ -300,6 +303,9 @@ export class Runs {
             if (adopted) {
               // Nothing between what is computed and what is seen.
               if (ride) this.context.playback.actions.jump(motion!.trajectory.end);
+              // What reads all rows, and what is written of them, would hold up the ride's next picture.
+              if (ride && performance.now() < read + READ_MS) return;
+              read = performance.now();
               stage.actions.grew();
               stage.actions.setStatistics(counts);
             }
@@ -323,6 +329,7 @@ export class Runs {
         ended: (end, counts) => {
           batch(() => take(true));
           if (ride && motion) motion = this.ridden(motion, end, ride);
+          if (ride && adopted) stage.actions.grew();
           if (adopted) stage.actions.setStatistics(counts);
           else this.request.value = stage.state.motion.peek()?.written ?? null;
           stage.actions.setRun({ kind: 'ended', reason: end.reason, message: end.message, time: end.time });

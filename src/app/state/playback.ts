@@ -1,5 +1,5 @@
 /** Playback of what is on the stage: the same for a live run and a file. */
-import { signal, type ReadonlySignal } from '@preact/signals';
+import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import type { StageState } from '../runs/stageState.ts';
 import { runPlaybackClock } from './playbackClock.ts';
 import type { SettingsState } from './settings.ts';
@@ -7,6 +7,8 @@ import { readonly } from './signals.ts';
 
 export interface PlaybackState {
   time: ReadonlySignal<number>;
+  /** The time for what is read: the same, but of a ride while it is ridden some five times a second. */
+  readTime: ReadonlySignal<number>;
   playing: ReadonlySignal<boolean>;
   /** The speed really held over the last second, or null when not playing. */
   heldSpeed: ReadonlySignal<number | null>;
@@ -31,10 +33,14 @@ export interface PlaybackSlice {
   };
 }
 
+/** Between two read times of a ride, ms: what the page writes anew costs the pictures that the rider waits for. */
+const READ_MS = 200;
+
 export function createPlayback(stage: StageState, settings: Pick<SettingsState, 'speed' | 'loop'>): PlaybackSlice {
   const time = signal(0);
   const playing = signal(false);
   const heldSpeed = signal<number | null>(null);
+  const readTime = calmed(time, stage);
   const trajectory = () => stage.motion.peek()?.trajectory;
   const growing = (): boolean => stage.run.peek()?.kind === 'computing';
   runPlaybackClock(
@@ -64,7 +70,7 @@ export function createPlayback(stage: StageState, settings: Pick<SettingsState, 
   };
 
   return {
-    state: { time: readonly(time), playing: readonly(playing), heldSpeed: readonly(heldSpeed) },
+    state: { time: readonly(time), readTime, playing: readonly(playing), heldSpeed: readonly(heldSpeed) },
     actions: {
       play,
       pause,
@@ -78,4 +84,24 @@ export function createPlayback(stage: StageState, settings: Pick<SettingsState, 
       setPlaying: (now) => void (playing.value = now),
     },
   };
+}
+
+function calmed(time: ReadonlySignal<number>, { motion, run }: StageState): ReadonlySignal<number> {
+  const read = signal(time.peek());
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const now = time.value;
+    const ridden = run.value?.kind === 'computing' && motion.peek()?.written?.control?.type === 'ride';
+    if (ridden) {
+      timer ??= setTimeout(() => {
+        timer = undefined;
+        read.value = time.peek();
+      }, READ_MS);
+      return;
+    }
+    clearTimeout(timer);
+    timer = undefined;
+    read.value = now;
+  });
+  return readonly(read);
 }

@@ -44,6 +44,7 @@ async function compute(
     shown = Infinity;
     sendRows(simulation, seconds, emit);
   };
+  const { outputStep } = scenario;
   let { pace } = ride;
   /** The clock's time and the ride's time that belongs to it; null until the ride has come to where it is taken over. */
   let since: { wall: number; time: number } | null = null;
@@ -53,7 +54,8 @@ async function compute(
     if (command && !simulation.end) {
       const [name, value, given] = command;
       const told = tell(control, simulation.time, name, value);
-      shown = Math.min(shown, told[0] + scenario.outputStep);
+      // Rows stand at whole output steps.
+      shown = Math.min(shown, (Math.floor(told[0] / outputStep + 1e-6) + 1) * outputStep - 1e-9);
       emit({ type: 'told', command: told, given });
     }
     if (next === undefined) return;

@@ -170,7 +170,7 @@ function drawn(app: App, chart: Chart, latest: { current: PaneProps }, redraw: {
       if (overTime()) chart.setZoom({ x: range, y: null });
       else soon();
     }),
-    state.time.subscribe(mark),
+    state.readTime.subscribe(mark),
   ];
   return () => {
     clearTimeout(timer);

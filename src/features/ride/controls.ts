@@ -22,7 +22,16 @@ const DEAD = 0.12;
 /** Tilt of a phone that is a whole lean, degrees. */
 const TILT = 25;
 
-const nameOf = ({ key }: { key: string }): string => (key.length === 1 ? key.toLowerCase() : key);
+/** A key event, or a name and perhaps a time (ms) that stand for one. */
+interface Key {
+  key: string;
+  timeStamp?: number;
+}
+
+/** What is asked for, and when the hand moved, ms; now without. */
+type Tell = (name: Told, value: number, given?: number) => void;
+
+const nameOf = ({ key }: Key): string => (key.length === 1 ? key.toLowerCase() : key);
 
 export class Controls {
   private readonly held = new Set<string>();
@@ -30,24 +39,24 @@ export class Controls {
   private readonly told = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
   /** A gamepad held something a moment ago. */
   private padded = false;
-  private readonly tell: (name: Told, value: number) => void;
+  private readonly tell: Tell;
 
-  constructor(tell: (name: Told, value: number) => void) {
+  constructor(tell: Tell) {
     this.tell = tell;
   }
 
   /** @returns whether it is a key of the ride */
-  press(event: { key: string }): boolean {
+  press(event: Key): boolean {
     const key = nameOf(event);
     if (!HELD[key]) return false;
     this.held.add(key);
-    this.update();
+    this.update(event.timeStamp);
     return true;
   }
 
-  release(event: { key: string }): boolean {
+  release(event: Key): boolean {
     if (!this.held.delete(nameOf(event))) return false;
-    this.update();
+    this.update(event.timeStamp);
     return true;
   }
 
@@ -93,7 +102,7 @@ export class Controls {
     this.update();
   }
 
-  private update(): void {
+  private update(given?: number): void {
     const now = { ...this.analog };
     for (const key of this.held) {
       const [name, value] = HELD[key]!;
@@ -104,7 +113,7 @@ export class Controls {
       const value = Math.max(least, Math.min(1, Math.round(now[name] / STEP) * STEP)) + 0;
       if (value === this.told[name]) continue;
       this.told[name] = value;
-      this.tell(name, value);
+      this.tell(name, value, given);
     }
   }
 }

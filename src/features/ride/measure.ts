@@ -14,11 +14,15 @@ export class Measure {
     this.waiting.push({ given, time });
   }
 
-  /** A picture of the ride at this time (s) was handed to the display, now (ms). */
-  frame(now: number, time: number): void {
+  /** A picture of the ride at this time (s) is drawn and handed to the display, now (ms). */
+  shown(now: number, time: number): void {
     const seen = this.waiting.filter((one) => one.time < time);
     this.waiting = this.waiting.filter((one) => one.time >= time);
     this.latencies.push(...seen.map(({ given }) => now - given));
+  }
+
+  /** The display asks for a picture, now (ms). */
+  frame(now: number): void {
     this.frames++;
     if (this.last !== null) {
       const missed = Math.round((now - this.last) / INTERVAL) - 1;

@@ -11,7 +11,7 @@ export function Pads({ session }: { session: Session }) {
   return (
     <div class="ride-pads">
       {Object.entries(PADS).map(([pad, key]) => {
-        const release = (): void => void session.controls.release({ key });
+        const release = ({ timeStamp }: Event): void => void session.controls.release({ key, timeStamp });
         return (
           <button
             key={pad}
@@ -20,7 +20,7 @@ export function Pads({ session }: { session: Session }) {
             disabled={session.phase === 'over'}
             onPointerDown={(event) => {
               event.currentTarget.setPointerCapture(event.pointerId);
-              session.controls.press({ key });
+              session.controls.press({ key, timeStamp: event.timeStamp });
             }}
             onPointerUp={release}
             onPointerCancel={release}

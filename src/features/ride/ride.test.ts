@@ -63,17 +63,21 @@ describe('controls', () => {
 
 it('the measure takes the picture in which a command is first seen, and counts pictures left out', () => {
   const measure = new Measure();
+  const picture = (now: number, time: number): void => {
+    measure.frame(now);
+    measure.shown(now + 3, time);
+  };
   for (const [now, time] of [
     [0, 0],
     [16, 0.016],
     [32, 0.032],
   ] as const)
-    measure.frame(now, time);
+    picture(now, time);
   measure.told(20, 0.04);
   // The row at which a command begins shows nothing of it yet.
-  measure.frame(48, 0.04);
-  measure.frame(98, 0.096);
-  expect(measure.latency).toBe(78);
+  picture(48, 0.04);
+  picture(98, 0.096);
+  expect(measure.latency).toBe(81);
   expect([measure.dropped, measure.frames]).toEqual([2, 7]);
 });
 

@@ -16,6 +16,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
   const [, draw] = useState(0);
   useEffect(() => session.run(() => draw((n) => n + 1)), []);
   useKeys(session, onLeave);
+  const coarse = app.state.coarse.value;
   const { phase, level, pace, speed, time, passage, waiting, measure } = session;
   return (
     <div class="push-row">
@@ -43,7 +44,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
         </div>
         <details class="ride-more" open={phase === 'over'}>
           <summary data-testid="ride-more">
-            {words.choices(words.helpLevels[level]!, words.paces[pace]!, session.rider)}
+            {words.choices(words.helpLevels[level]!, words.paces[pace]!, session.rider, coarse)}
           </summary>
           <div class="ride-choices">
             <Choice
@@ -70,7 +71,9 @@ export function RideView({ onLeave }: { onLeave(): void }) {
               {words.rider}
             </label>
             {session.rider && <PersonFields session={session} />}
-            <span class="hint">{words.helpHint[level]}</span>
+            <span class="hint">
+              {words.helpHint[level]} {coarse && words.coarse}
+            </span>
           </div>
         </details>
         <Pads session={session} />

@@ -12,7 +12,7 @@ import { words } from './words.ts';
 type Phase = 'starting' | 'riding' | 'over';
 
 const DEGREES = 180 / Math.PI;
-/** The panel's numbers and the map are drawn this often, ms; the scene with every picture. */
+/** The panel's numbers and the map are drawn this often, ms, and half as often where that is felt; the scene with every picture. */
 const DRAW_MS = 100;
 
 export class Session {
@@ -39,10 +39,15 @@ export class Session {
   private motion = 0;
   /** Counts rides: what an earlier one still says is not heard. */
   private ride = 0;
+  /** What is said to it is heard once the picture has been drawn. */
+  private readonly painted = new MessageChannel();
 
   constructor(app: App) {
     this.app = app;
-    this.controls = new Controls((name, value) => this.tell(name, value));
+    this.controls = new Controls((name, value, given) => this.tell(name, value, given));
+    this.painted.port1.onmessage = ({ data: [ride, time] }: MessageEvent<[number, number]>) => {
+      if (ride === this.ride) this.measure.shown(performance.now(), time);
+    };
   }
 
   /** Rides until what it returns is called. */
@@ -58,6 +63,7 @@ export class Session {
     const follow = (now: number): void => this.frame(now);
     return () => {
       cancelAnimationFrame(frame);
+      this.painted.port1.close();
       this.ride++;
       if (this.phase !== 'over') actions.cancel();
       actions.setGates([]);
@@ -145,9 +151,9 @@ export class Session {
     return this.best && ghostAt(this.best, this.time);
   }
 
-  private tell(name: string, value: number): void {
+  private tell(name: string, value: number, given = performance.now()): void {
     if (this.phase === 'over') return;
-    this.app.actions.steer({ command: [name, value, performance.now()] });
+    this.app.actions.steer({ command: [name, value, given] });
   }
 
   private frame(now: number): void {
@@ -168,8 +174,9 @@ export class Session {
     // Something else took the stage.
     if (motion.id !== this.motion) return void (this.phase = 'over');
     this.look();
-    this.measure.frame(performance.now(), this.time);
-    if (now - this.drawn < DRAW_MS) return;
+    this.measure.frame(now);
+    this.painted.port2.postMessage([this.ride, this.time]);
+    if (now - this.drawn < (state.coarse.peek() ? 2 : 1) * DRAW_MS) return;
     this.drawn = now;
     this.draw();
   }

@@ -17,8 +17,8 @@ export const words = {
   rider: 'With a rider',
   tall: 'Height, m',
   mass: 'Mass, kg',
-  choices: (help: string, pace: string, rider: boolean) =>
-    `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}`,
+  choices: (help: string, pace: string, rider: boolean, coarse: boolean) =>
+    `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}${coarse ? ' · drawn coarser' : ''}`,
   marks: (count: number) => (count === 1 ? 'One command' : `${count} commands`),
   mark: (name: string, value: number, time: number) => {
     const much = value === 1 ? '' : ` ${formatShort(value)}`;
@@ -48,6 +48,7 @@ export const words = {
     `You fell${side ? ` to the ${side}, ${degrees.toFixed(0)}° over` : ''} after ${time.toFixed(1)} s: a plate touched the ground.`,
   lost: (message: string) => `The ride ended: ${message}`,
   kept: 'The ride is a run now: play it, plot it, save it, share it.',
+  coarse: 'Drawn coarser for as long as you ride, so that keys are seen at once.',
   latency: (ms: number, dropped: number, frames: number) =>
     `from key to picture ${formatShort(Math.round(ms))} ms, ${dropped} of ${frames} frames dropped`,
 };

@@ -17,6 +17,7 @@ import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { BodyModel, MeshPair } from '../contract.ts';
 import { dress, surfaceFrom } from './materials.ts';
 import { checkMaterials, checkMesh, MeshError } from './meshText.ts';
+import type { Plain } from './plain.ts';
 import type { Palette } from '../palette.ts';
 
 /** Edges sharper than this (rad) stay edges where the file gives no normals. */
@@ -58,6 +59,8 @@ interface Drawn {
 const samePair = (a: MeshPair, b: MeshPair): boolean => a.mdl === b.mdl && a.mat === b.mat;
 const sameModel = (a: BodyModel, b: BodyModel): boolean => JSON.stringify(a) === JSON.stringify(b);
 
+const groupsOf = ({ root, wheel }: Drawn): GroupType[] => (wheel ? [root, wheel] : [root]);
+
 /** Puts a group where pose `index` says; false when there is none. */
 export function setPose(root: GroupType, poses: Float64Array, index: number): boolean {
   if (poses.length < 12 * (index + 1)) return false;
@@ -79,6 +82,8 @@ export class Bodies {
   private retired: MeshStandardMaterial[] = [];
   private palette: Palette;
   private environment = false;
+  /** Draws them with little; null with all there is. */
+  private plain: Plain | null = null;
   /** Last poses and wheel angles, kept for bodies that come after them; the caller reuses its arrays. */
   private poses: Float64Array | null = null;
   private angles = new Float64Array(0);
@@ -152,6 +157,18 @@ export class Bodies {
     this.environment = environment;
     for (const { model, surfaces } of [...this.drawn, ...this.fixtures])
       for (const s of surfaces) dress(s, model.role, palette, environment);
+    if (this.plain) this.setPlain(this.plain);
+  }
+
+  /** Draws all bodies with little, or (null) with all there is. */
+  setPlain(plain: Plain | null): void {
+    const before = this.plain;
+    this.plain = plain;
+    for (const group of [...this.drawn, ...this.fixtures].flatMap(groupsOf)) {
+      before?.take(group);
+      plain?.put(group);
+    }
+    this.version++;
   }
 
   matrix(index: number): Matrix4 | null {
@@ -276,11 +293,13 @@ export class Bodies {
 
   private add(body: Drawn): void {
     for (const s of body.surfaces) dress(s, body.model.role, this.palette, this.environment);
+    for (const group of groupsOf(body)) this.plain?.put(group);
     this.scene.add(body.root);
   }
 
   private remove(body: Drawn): void {
     this.scene.remove(body.root);
+    for (const group of groupsOf(body)) this.plain?.take(group);
     body.root.traverse((child) => {
       if (child instanceof Mesh) (child.geometry as BufferGeometry).dispose();
     });

@@ -1,13 +1,16 @@
 /**
- * Gates on the floor: two posts, a bar over them and a line between them, in the colour of what is to come next. Loaded with
- * the first gate; of three.js it has what it is given, so that the first view's file stays whole.
+ * Gates on the floor: two posts, a bar over them and a line between them, in the colour of what is to come next; all of them in one
+ * mesh. Loaded with the first gate; of three.js it has what it is given, so that the first view's file stays whole.
  */
 import type * as three from 'three';
 import type { GateModel } from '../contract.ts';
 import type { Palette } from '../palette.ts';
 
-type Kit = Pick<typeof three, 'BoxGeometry' | 'Group' | 'Mesh' | 'MeshBasicMaterial'>;
-type Box = three.Mesh<three.BoxGeometry, three.MeshBasicMaterial>;
+type Kit = Pick<
+  typeof three,
+  'BoxGeometry' | 'BufferAttribute' | 'BufferGeometry' | 'Color' | 'Mesh' | 'MeshBasicMaterial'
+>;
+type Triple = readonly [number, number, number];
 
 /** Height of the bar, thickness of post and bar, width of the line on the floor, m. */
 const HEIGHT = 1.9;
@@ -16,64 +19,90 @@ const LINE = 0.08;
 
 const OPACITY = { done: 0.25, next: 1, ahead: 0.6 } as const;
 
+/** Middle and size of each box of a gate, along it, across it and up, m. */
+const boxes = (half: number): readonly (readonly [Triple, Triple])[] => [
+  [
+    [0, half, HEIGHT / 2],
+    [THICK, THICK, HEIGHT],
+  ],
+  [
+    [0, -half, HEIGHT / 2],
+    [THICK, THICK, HEIGHT],
+  ],
+  [
+    [0, 0, HEIGHT],
+    [THICK, 2 * half, THICK],
+  ],
+  [
+    [0, 0, 0.002],
+    [LINE, 2 * half, 0.001],
+  ],
+];
+
 export class Gates {
   private readonly scene: three.Scene;
   private readonly kit: Kit;
-  private readonly drawn: three.Group[] = [];
   private readonly box: three.BoxGeometry;
-  /** Neither shade nor fog: where to go is seen from afar. */
-  private readonly looks: Readonly<Record<GateModel['state'], three.MeshBasicMaterial>>;
+  private readonly mesh: three.Mesh<three.BufferGeometry, three.MeshBasicMaterial>;
+  private palette: Palette;
+  private list: readonly GateModel[] = [];
+  private floor = 0;
 
   constructor(scene: three.Scene, palette: Palette, kit: Kit) {
-    const look = (opacity: number) =>
-      new kit.MeshBasicMaterial({ transparent: opacity < 1, opacity, fog: false, toneMapped: false });
     this.scene = scene;
     this.kit = kit;
+    this.palette = palette;
     this.box = new kit.BoxGeometry(1, 1, 1);
-    this.looks = { done: look(OPACITY.done), next: look(OPACITY.next), ahead: look(OPACITY.ahead) };
-    this.setPalette(palette);
+    // Neither shade nor fog: where to go is seen from afar.
+    const look = new kit.MeshBasicMaterial({ vertexColors: true, transparent: true, fog: false, toneMapped: false });
+    this.mesh = new kit.Mesh(new kit.BufferGeometry(), look);
+    this.mesh.renderOrder = 1;
+    scene.add(this.mesh);
   }
 
   /** @param floor height that they stand at, m */
   set(list: readonly GateModel[], floor: number): void {
-    while (this.drawn.length > list.length) this.scene.remove(this.drawn.pop()!);
-    while (this.drawn.length < list.length) this.drawn.push(this.build());
-    list.forEach((gate, i) => this.place(this.drawn[i]!, gate, floor));
+    Object.assign(this, { list, floor });
+    this.build();
   }
 
-  setPalette({ accent, label }: Palette): void {
-    for (const [state, material] of Object.entries(this.looks)) material.color.set(state === 'next' ? accent : label);
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.build();
   }
 
   dispose(): void {
-    this.set([], 0);
+    this.scene.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
     this.box.dispose();
-    for (const material of Object.values(this.looks)) material.dispose();
   }
 
-  private build(): three.Group {
-    const group = new this.kit.Group();
-    for (let part = 0; part < 4; part++) {
-      const mesh = new this.kit.Mesh(this.box, this.looks.ahead);
-      mesh.renderOrder = 1;
-      group.add(mesh);
+  private build(): void {
+    const { box, kit, list, floor, palette } = this;
+    const corners = box.getAttribute('position').array;
+    const triangles = box.index!.array;
+    const [points, colours, index]: number[][] = [[], [], []];
+    // The last first: what is farther along the course lies behind.
+    for (const { x, y, heading, half, state } of [...list].reverse()) {
+      const { r, g, b } = new kit.Color(state === 'next' ? palette.accent : palette.label);
+      const [c, s] = [Math.cos(heading), Math.sin(heading)];
+      for (const [middle, size] of boxes(half)) {
+        const first = points!.length / 3;
+        for (let i = 0; i < corners.length; i += 3) {
+          const [along, across, up] = middle.map((m, k) => m + size[k]! * corners[i + k]!) as [number, number, number];
+          points!.push(x + c * along - s * across, y + s * along + c * across, floor + up);
+          colours!.push(r, g, b, OPACITY[state]);
+        }
+        for (const corner of triangles) index!.push(first + corner);
+      }
     }
-    this.scene.add(group);
-    return group;
-  }
-
-  private place(group: three.Group, { x, y, heading, half, state }: GateModel, floor: number): void {
-    group.position.set(x, y, floor);
-    group.rotation.z = heading;
-    const [left, right, bar, line] = group.children as [Box, Box, Box, Box];
-    left.position.set(0, half, HEIGHT / 2);
-    right.position.set(0, -half, HEIGHT / 2);
-    left.scale.set(THICK, THICK, HEIGHT);
-    right.scale.copy(left.scale);
-    bar.position.z = HEIGHT;
-    bar.scale.set(THICK, 2 * half, THICK);
-    line.position.z = 0.002;
-    line.scale.set(LINE, 2 * half, 0.001);
-    for (const mesh of group.children as Box[]) mesh.material = this.looks[state];
+    this.mesh.geometry.dispose();
+    const geometry = new kit.BufferGeometry();
+    geometry.setAttribute('position', new kit.BufferAttribute(Float32Array.from(points!), 3));
+    geometry.setAttribute('color', new kit.BufferAttribute(Float32Array.from(colours!), 4));
+    geometry.setIndex(index!);
+    this.mesh.geometry = geometry;
+    this.mesh.visible = list.length > 0;
   }
 }

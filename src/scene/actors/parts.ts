@@ -50,9 +50,11 @@ export class Parts {
     this.trails.setPlan(floor, size);
   }
 
-  setShadows(shown: boolean): void {
-    this.lights.setShadows(shown);
-    this.ground.setShadows(shown);
+  /** Without shadows and the ground's grain, of tracks the newest alone. */
+  setPlain(plain: boolean): void {
+    this.lights.setShadows(!plain);
+    this.ground.setPlain(plain);
+    this.trails.setShort(plain);
   }
 
   /** Light and ground go with the subject. @param height (m) of a board that is not on both its wheels */

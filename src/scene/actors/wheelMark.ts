@@ -95,6 +95,7 @@ export class MarkStrip {
   readonly mesh: Mesh<InstancedBufferGeometry, MarkMaterial>;
   private readonly places: InstancedInterleavedBuffer;
   private readonly times: InstancedInterleavedBuffer;
+  private without = 0;
 
   /** @param points 3 floats each; `times` one each (s); both are read where they are */
   constructor(points: Float32Array, times: Float32Array, material: MarkMaterial) {
@@ -105,15 +106,12 @@ export class MarkStrip {
     this.places = new InstancedInterleavedBuffer(points, 3, 1);
     this.times = new InstancedInterleavedBuffer(times, 1, 1);
     for (const buffer of [this.places, this.times]) buffer.setUsage(DynamicDrawUsage);
-    for (const [i, name] of ['before', 'start', 'end', 'after'].entries())
-      geometry.setAttribute(name, new InterleavedBufferAttribute(this.places, 3, 3 * i));
-    for (const [i, name] of ['startTime', 'endTime'].entries())
-      geometry.setAttribute(name, new InterleavedBufferAttribute(this.times, 1, i + 1));
     geometry.instanceCount = 0;
     geometry.boundingSphere = new Sphere(undefined, Number.MAX_VALUE); // for sorting only; measuring it would read every point
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false; // its bounds would have to be measured again with every point
     this.mesh.renderOrder = -7;
+    this.read(geometry, 0);
     this.draw(0);
   }
 
@@ -124,8 +122,20 @@ export class MarkStrip {
     this.places.needsUpdate = this.times.needsUpdate = true;
   }
 
-  draw(segments: number): void {
-    this.mesh.geometry.instanceCount = segments;
-    this.mesh.visible = segments > 0;
+  /** So many segments, without the first ones. */
+  draw(segments: number, without = 0): void {
+    const { geometry } = this.mesh;
+    if (without !== this.without) this.read(geometry, without);
+    geometry.instanceCount = segments - without;
+    this.mesh.visible = segments > without;
+  }
+
+  /** The first segment that is drawn is this one: three.js looks at an attribute's offset once. */
+  private read(geometry: InstancedBufferGeometry, first: number): void {
+    this.without = first;
+    for (const [i, name] of ['before', 'start', 'end', 'after'].entries())
+      geometry.setAttribute(name, new InterleavedBufferAttribute(this.places, 3, 3 * (first + i)));
+    for (const [i, name] of ['startTime', 'endTime'].entries())
+      geometry.setAttribute(name, new InterleavedBufferAttribute(this.times, 1, first + i + 1));
   }
 }

@@ -47,8 +47,8 @@ export class Backdrop {
     this.setPalette(palette);
   }
 
-  hide(): void {
-    this.wall.visible = false;
+  setVisible(visible: boolean): void {
+    this.wall.visible = visible;
   }
 
   setPalette(palette: Palette): void {

@@ -63,6 +63,7 @@ const fragmentShader = /* glsl */ `
     vec2 lit = (ground - centre) / pool;
     vec3 colour = mix(background, mix(rim, surface, 1.0 / (1.0 + dot(lit, lit))), near);
 
+    #ifndef PLAIN
     // Clouds some decimetres wide; specks of some millimetres, gone where they would be smaller than a pixel.
     float texture = texture2D(grain, ground / (14.0 * unit)).r + texture2D(grain, ground / (0.9 * unit)).g - 1.0;
     colour *= 1.0 + 0.11 * near * texture;
@@ -76,6 +77,7 @@ const fragmentShader = /* glsl */ `
     dark += 0.7 * blob(skates.xy, 0.03, heights.x) + 0.7 * blob(skates.zw, 0.03, heights.y);
     colour *= 1.0 - contact * min(dark, 1.0);
 
+    #endif
     vec2 thin = lines(0.1 * unit, 1.0);
     vec2 thick = lines(unit, 1.3);
     colour = mix(colour, fine, near * max(thin.x, thin.y) * 0.9);
@@ -110,7 +112,7 @@ export class Ground {
   };
   private strength = 0;
   private shown = false;
-  private shadows = true;
+  private plain = false;
   /** Of the ground: what is below it is seen through it, the more the deeper it is. */
   private cover = 1;
   private floor = 0;
@@ -141,12 +143,19 @@ export class Ground {
   /** Only the shadow stays. */
   hideDisc(): void {
     this.disc.visible = false;
-    this.backdrop.hide();
+    this.backdrop.setVisible(false);
   }
 
-  setShadows(shown: boolean): void {
-    this.shadows = shown;
-    this.catcher.visible &&= shown;
+  /** Without the shadow, the clouds and specks, the light that the board keeps away, and the sweep behind it. */
+  setPlain(plain: boolean): void {
+    if (plain === this.plain) return;
+    this.plain = plain;
+    this.catcher.visible &&= !plain;
+    this.backdrop.setVisible(!plain && this.disc.visible);
+    const { material } = this.disc;
+    if (plain) material.defines['PLAIN'] = '';
+    else delete material.defines['PLAIN'];
+    material.needsUpdate = true;
   }
 
   setPalette(palette: Palette): void {
@@ -179,7 +188,7 @@ export class Ground {
     this.uniforms.contact.value = this.strength;
     this.shown = true;
     this.catcher.position.set(position[0], position[1], this.floor);
-    this.catcher.visible = this.shadows && position[2] >= this.floor - 0.23 * this.size;
+    this.catcher.visible = !this.plain && position[2] >= this.floor - 0.23 * this.size;
   }
 
   /** What fell through (free bodies know no ground) is seen through it. @param lowest height of what reaches deepest (m) */

@@ -1,7 +1,7 @@
 /** Pictures that must come soon, as while somebody steers: a device that is too slow for them draws less. */
 
-/** Share of the pixels along each side, by how much is left out; from the second on there is no shadow either. */
-const SHARES = [1, 0.7, 0.5, 0.35] as const;
+/** Share of the pixels along each side, by how much is left out; from the second on all is drawn plainly. */
+const SHARES = [1, 0.75, 0.55, 0.4] as const;
 /** Without a graphics card it begins there. */
 const SOFTWARE = 2;
 /** So many pictures in a row are measured; more than so long from one to the next, on the median, is too slow, ms. */
@@ -16,6 +16,8 @@ export class Haste {
   private level = 0;
   private last = -Infinity;
   private readonly intervals: number[] = [];
+  /** The first pictures have shaders to compile: they tell nothing. */
+  private cold = true;
 
   /** @param software whether a program on the processor draws */
   constructor(software: boolean) {
@@ -26,8 +28,9 @@ export class Haste {
     return SHARES[this.level]!;
   }
 
-  get shadows(): boolean {
-    return this.level === 0;
+  /** Whether surfaces, shadows and ground are left plain. */
+  get plain(): boolean {
+    return this.level > 0;
   }
 
   /** Within a time of haste less is drawn than before, never more: a picture that goes to and fro is worse than a coarse one. */
@@ -37,6 +40,7 @@ export class Haste {
     this.level = on ? this.first : 0;
     this.last = -Infinity;
     this.intervals.length = 0;
+    this.cold = true;
   }
 
   /** A picture is drawn, now (ms). @returns whether less is drawn from this one on */
@@ -48,8 +52,11 @@ export class Haste {
     if (this.intervals.length < MEASURED) return false;
     const median = this.intervals.sort((a, b) => a - b)[MEASURED / 2]!;
     this.intervals.length = 0;
-    if (median <= SLOW || this.level === SHARES.length - 1) return false;
+    const { cold } = this;
+    this.cold = false;
+    if (cold || median <= SLOW || this.level === SHARES.length - 1) return false;
     this.level++;
+    this.cold = true;
     return true;
   }
 }

@@ -10,6 +10,9 @@ import type { PixelSize } from './words.ts';
 const HALF_WIDTH = 0.0062;
 /** Points farther than this from the floor (m) are no marks on it. */
 const NEAR = 0.006;
+/** Segments of a short track: some metres of it. It grows by this many more before the oldest go. */
+const SHORT = 768;
+const MORE = 256;
 
 class Track {
   private readonly scene: Scene;
@@ -61,11 +64,12 @@ class Track {
     material.uniforms.halfWidth.value = flat * HALF_WIDTH * size;
   }
 
-  show(time: number, visible: boolean): void {
+  show(time: number, visible: boolean, short: boolean): void {
     const { data, trail, headPoints, headTimes } = this;
     const count = visible && trail ? countUntil(data.times, data.count, time) : 0;
     this.material.uniforms.now.value = time;
-    this.body.draw(Math.max(0, count - 1));
+    const segments = Math.max(0, count - 1);
+    this.body.draw(segments, short ? MORE * Math.max(0, Math.ceil((segments - SHORT) / MORE) - 1) : 0);
     this.head.draw(0);
     if (count === 0 || !trail) return;
     const row = countUntil(trail.times, trail.count, time) - 1;
@@ -122,10 +126,16 @@ export class Trails {
   private pixel: PixelSize = { perPixel: 1e-3, ratio: 1 };
   private floor = 0;
   private size = 0.88;
+  private short = false;
 
   constructor(scene: Scene, palette: Palette) {
     this.scene = scene;
     this.palette = palette;
+  }
+
+  /** Whether of each track only the newest metres are drawn, from the next `show` on. */
+  setShort(short: boolean): void {
+    this.short = short;
   }
 
   set(trails: readonly Trail[]): void {
@@ -155,7 +165,7 @@ export class Trails {
 
   /** Draws up to `time` (s), or nothing. */
   show(time: number, visible: boolean): void {
-    for (const track of this.tracks) track.show(time, visible);
+    for (const track of this.tracks) track.show(time, visible, this.short);
   }
 
   dispose(): void {

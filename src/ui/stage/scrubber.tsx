@@ -36,12 +36,12 @@ export function Scrubber() {
 
 function Played({ line }: { line: Timeline }) {
   const { state } = useUi().app;
-  return <span class="scrub-played" style={{ width: percent(fraction(state.time.value, line)) }} />;
+  return <span class="scrub-played" style={{ width: percent(fraction(state.readTime.value, line)) }} />;
 }
 
 function Range({ line, disabled }: { line: Timeline; disabled: boolean }) {
   const { state, actions } = useUi().app;
-  const said = useComputed(() => `${formatTime(state.time.value)} ${text.transport.seconds}`);
+  const said = useComputed(() => `${formatTime(state.readTime.value)} ${text.transport.seconds}`);
   return (
     <input
       type="range"
@@ -49,7 +49,7 @@ function Range({ line, disabled }: { line: Timeline; disabled: boolean }) {
       min={line.start}
       max={line.end}
       step="any"
-      value={state.time.value}
+      value={state.readTime.value}
       disabled={disabled}
       aria-label={text.transport.position}
       aria-valuetext={said}

@@ -52,7 +52,7 @@ function LoopButton() {
 
 function TimeNow() {
   const { state } = useUi().app;
-  const shown = useComputed(() => `${formatTime(state.time.value)}${THIN}s`);
+  const shown = useComputed(() => `${formatTime(state.readTime.value)}${THIN}s`);
   return (
     <output class="time" data-testid="time" aria-label={text.transport.position} aria-live="off">
       {shown}

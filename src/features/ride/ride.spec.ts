@@ -3,12 +3,12 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
-import { exportCsv, openWithoutScene, VIEWPORT } from '../../../tests/browser/helpers.ts';
+import { exportCsv, measured, openPage, VIEWPORT } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
 test('a course is ridden with keys, and how fast keys reach the picture is told', async ({ page }) => {
-  const watch = await openWithoutScene(page);
+  const watch = await openPage(page);
   await page.keyboard.press('u');
   const ride = page.getByTestId('ride-view');
   await expect(ride).toHaveAttribute('data-phase', 'riding', { timeout: 60_000 });
@@ -22,7 +22,7 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   await expect(ride).toHaveAttribute('data-speed', /^-?0\.[01]/, { timeout: 30_000 });
   const read = (name: string) => ride.getAttribute(`data-${name}`);
   const latency = Number(await read('latency'));
-  console.log(
+  measured(
     `ride: from key to picture ${latency.toFixed(1)} ms on the median, ${await read('dropped')} of ${await read('frames')} frames dropped`,
   );
   expect(latency).toBeGreaterThan(0);

@@ -68,6 +68,7 @@ export interface ReachablePlant {
   readonly split: ReachableSplit;
   /** Modes that no input reaches. */
   readonly modes: Mode[];
+  /** Made when it is first asked for: no design needs it. */
   readonly byInput: InputReach[];
 }
 
@@ -84,8 +85,15 @@ export function reachablePlant(linearization: Linearization): ReachablePlant {
     inputSizes,
     linearization.motion.dynamics.system.firstOrder ? undefined : basis,
   );
-  const modes = unreachableModes(split, basis, states);
-  return { linearization, split, modes, byInput: reachByInput(tangentA, tangentB, inputs, inputSizes) };
+  let byInput: InputReach[] | null = null;
+  return {
+    linearization,
+    split,
+    modes: unreachableModes(split, basis, states),
+    get byInput() {
+      return (byInput ??= reachByInput(tangentA, tangentB, inputs, inputSizes));
+    },
+  };
 }
 
 /**
@@ -99,7 +107,8 @@ export function reachablePlant(linearization: Linearization): ReachablePlant {
  * @throws ControlError naming an unstable mode that no input reaches, or where the Riccati equation has no
  * stabilizing solution
  */
-export function designLqr({ linearization, split, modes, byInput }: ReachablePlant, weights: Weights): LqrDesign {
+export function designLqr(plant: ReachablePlant, weights: Weights): LqrDesign {
+  const { linearization, split, modes } = plant;
   const { basis: N, states, inputs } = linearization;
   const root = Matrix.diag(weights.Q.map(Math.sqrt));
   const unreachable = modes.map((mode) => ({ ...mode, weighted: isWeighted(mode, weights.Q) }));
@@ -112,21 +121,43 @@ export function designLqr({ linearization, split, modes, byInput }: ReachablePla
   const fromStates = Upt.mmul(split.W).mmul(N.transpose());
   const riccati = solveNamed(A, B, C, weights.R, toStates, linearization);
   const unseenA = U.transpose().mmul(split.A).mmul(U);
-  const untouched = [...eigenvalues(unseenA, split.scale), ...eigenvalues(split.unreachableA, split.scale)];
+  // What a run does without is made when it is asked for.
+  const spectra = once(() => {
+    const untouched = [...eigenvalues(unseenA, split.scale), ...eigenvalues(split.unreachableA, split.scale)];
+    return {
+      open: [...eigenvalues(A, split.scale), ...untouched].sort(byParts),
+      closed: [...riccati.closedLoop, ...untouched].sort(byParts),
+    };
+  });
+  const unseen = once(() => modesOf(unseenA, N.mmul(split.reachable).mmul(U), states, split.scale));
   return {
     linearization,
     weights,
     split,
     gain: riccati.gain.mmul(fromStates),
-    openLoop: [...eigenvalues(A, split.scale), ...untouched].sort(byParts),
-    closedLoop: [...riccati.closedLoop, ...untouched].sort(byParts),
+    get openLoop() {
+      return spectra().open;
+    },
+    get closedLoop() {
+      return spectra().closed;
+    },
     placed: [...riccati.closedLoop].sort(byParts),
     unreachable,
-    unseen: modesOf(unseenA, N.mmul(split.reachable).mmul(U), states, split.scale),
-    byInput,
+    get unseen() {
+      return unseen();
+    },
+    get byInput() {
+      return plant.byInput;
+    },
     riccati,
     quotient: { A, B, C, fromStates, toStates },
   };
+}
+
+/** Made at the first call, and kept. */
+function once<T>(make: () => T): () => T {
+  let made: { value: T } | null = null;
+  return () => (made ??= { value: make() }).value;
 }
 
 /**

@@ -1,12 +1,7 @@
 import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
 import { doubled } from './doubling.ts';
-import {
-  ControlError,
-  inDoubles as plainDoubles,
-  norm,
-  solveLinear,
-  symmetricPart,
-} from '../linearization/matrices.ts';
+import { squaresOf, type SquareAlgebra } from '../../linalg/square.ts';
+import { ControlError, fromRowMajor, norm, symmetricPart, toRowMajor } from '../linearization/matrices.ts';
 import { complexText, ON_AXIS, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 import { solveCareTwice } from './careTwice.ts';
 import { axisSubspace } from '../linearization/axisSubspace.ts';
@@ -156,60 +151,71 @@ function remainder(AtX: Matrix, w: Matrix, Q: Matrix): Matrix {
 
 /** Paper symbols: A_k, G_k, H_k; H_k tends to X. Null where it does not converge. */
 function doubling(A: Matrix, G: Matrix, H: Matrix): { Y: Matrix; steps: number } | null {
-  const first = bestCayley(A, G, H);
+  const n = A.rows;
+  const algebra = squaresOf(n);
+  const first = bestCayley(algebra, toRowMajor(A), toRowMajor(G), toRowMajor(H));
   if (!first) return null;
-  const found = doubled(plainDoubles, A.rows, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
-  return found && { Y: found.X, steps: found.steps };
+  const found = doubled(algebra, n, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
+  return found && { Y: fromRowMajor(found.X, n, n), steps: found.steps };
 }
 
 /** Shares tried for gamma: of |A|, and of the rate that G and H make by themselves, which a plant of integrators has alone. */
 const GAMMAS = Array.from({ length: 7 }, (_, i) => 4 ** (i - 5));
 const SLOW = 1e-6;
 
+interface Cayley {
+  gamma: number;
+  /** Of A - gamma I, and of W, the paper's other matrix to invert. */
+  inverse: Float64Array;
+  inverseW: Float64Array;
+  /** The larger condition number of the two. */
+  condition: number;
+}
+
 /** The Cayley transform whose matrices to invert are best conditioned (the paper minimizes the same by a line search). */
-function bestCayley(A: Matrix, G: Matrix, H: Matrix): { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null {
-  const sizes = [norm(A), Math.sqrt(norm(G) * norm(H))];
-  let best: { Ak: Matrix; Gk: Matrix; Hk: Matrix } | null = null;
-  let least = Infinity;
-  for (const gamma of sizes.flatMap((size) => GAMMAS.map((share) => share * size))) {
+function bestCayley(
+  algebra: SquareAlgebra,
+  A: Float64Array,
+  G: Float64Array,
+  H: Float64Array,
+): { Ak: Float64Array; Gk: Float64Array; Hk: Float64Array } | null {
+  const { times, plus, scaled, symmetric, transposed, norm: size } = algebra;
+  const sizes = [size(A), Math.sqrt(size(G) * size(H))];
+  let best: Cayley | null = null;
+  for (const gamma of sizes.flatMap((one) => GAMMAS.map((share) => share * one))) {
     // Far below every rate the transform is the identity to rounding, and perfectly conditioned.
-    const tried = gamma > SLOW * Math.max(...sizes) ? cayley(A, G, H, gamma) : null;
-    if (tried && tried.condition < least) {
-      least = tried.condition;
-      best = tried;
-    }
+    const tried = gamma > SLOW * Math.max(...sizes) ? cayley(algebra, A, G, H, gamma) : null;
+    if (tried && tried.condition < (best?.condition ?? Infinity)) best = tried;
   }
-  return best;
+  if (!best) return null;
+  const { gamma, inverse, inverseW } = best;
+  const twice = 2 * gamma;
+  return {
+    Ak: plus(algebra.identity(), scaled(transposed(inverseW), twice)),
+    Gk: symmetric(scaled(times(times(inverse, G), inverseW), twice)),
+    Hk: symmetric(scaled(times(times(inverseW, H), inverse), twice)),
+  };
 }
 
 function cayley(
-  A: Matrix,
-  G: Matrix,
-  H: Matrix,
+  { identity, times, plus, scaled, transposed, solve, norm: size }: SquareAlgebra,
+  A: Float64Array,
+  G: Float64Array,
+  H: Float64Array,
   gamma: number,
-): { Ak: Matrix; Gk: Matrix; Hk: Matrix; condition: number } | null {
-  const I = Matrix.eye(A.rows);
-  const shifted = Matrix.sub(A, Matrix.mul(I, gamma));
-  const inverse = solveLinear(shifted, I);
+): Cayley | null {
+  const I = identity();
+  const shifted = plus(A, scaled(I, -gamma));
+  const inverse = solve(shifted, I);
   if (!inverse) return null;
-  const W = Matrix.add(shifted.transpose(), H.mmul(inverse).mmul(G));
-  const inverseW = solveLinear(W, I);
+  const W = plus(transposed(shifted), times(times(H, inverse), G));
+  const inverseW = solve(W, I);
   if (!inverseW) return null;
   return {
-    Ak: Matrix.add(I, Matrix.mul(inverseW.transpose(), 2 * gamma)),
-    Gk: symmetricPart(
-      inverse
-        .mmul(G)
-        .mmul(inverseW)
-        .mul(2 * gamma),
-    ),
-    Hk: symmetricPart(
-      inverseW
-        .mmul(H)
-        .mmul(inverse)
-        .mul(2 * gamma),
-    ),
-    condition: Math.max(norm(shifted) * norm(inverse), norm(W) * norm(inverseW)),
+    gamma,
+    inverse,
+    inverseW,
+    condition: Math.max(size(shifted) * size(inverse), size(W) * size(inverseW)),
   };
 }
 

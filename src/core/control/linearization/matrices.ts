@@ -203,14 +203,3 @@ export function symmetricPart(A: Matrix): Matrix {
 export function product(first: Matrix, ...others: Matrix[]): Matrix {
   return others.reduce((left, right) => left.mmul(right), first);
 }
-
-/** Matrices in doubles, as `design/doubling.ts` takes them. */
-export const inDoubles = {
-  identity: (n: number): Matrix => Matrix.eye(n),
-  times: (a: Matrix, b: Matrix): Matrix => a.mmul(b),
-  plus: (a: Matrix, b: Matrix): Matrix => Matrix.add(a, b),
-  transposed: (a: Matrix): Matrix => a.transpose(),
-  symmetric: symmetricPart,
-  solve: solveLinear,
-  norm,
-};

@@ -1,6 +1,7 @@
 import { Matrix } from 'ml-matrix';
 import { doubled } from '../design/doubling.ts';
-import { ControlError, inDoubles, norm, solveLinear, symmetricPart } from '../linearization/matrices.ts';
+import { squaresOf } from '../../linalg/square.ts';
+import { ControlError, fromRowMajor, norm, solveLinear, symmetricPart, toRowMajor } from '../linearization/matrices.ts';
 import { complexText, modulus, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 
 /**
@@ -47,10 +48,14 @@ export function solveDare(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, N = new Ma
   // A cost that does not see an unstable mode: the least solution, which doubling finds, leaves it; a small cost on all does not.
   for (const share of [0, 1e-14, 1e-11]) {
     const all = Matrix.eye(n).mul(share * (norm(state) || 1));
-    const first = { Ak: plain, Gk: symmetricPart(B.mmul(force)), Hk: Matrix.add(state, all) };
-    const found = doubled(inDoubles, n, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
+    const first = {
+      Ak: toRowMajor(plain),
+      Gk: toRowMajor(symmetricPart(B.mmul(force))),
+      Hk: toRowMajor(Matrix.add(state, all)),
+    };
+    const found = doubled(squaresOf(n), n, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
     if (!found) continue;
-    const solution = judged(A, B, Q, R, N, found.X);
+    const solution = judged(A, B, Q, R, N, fromRowMajor(found.X, n, n));
     if (solution) return { ...solution, doublings: found.steps };
   }
   const worst = plainEigenvalues(A).sort((a, b) => modulus(b) - modulus(a))[0]!;

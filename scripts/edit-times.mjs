@@ -1,7 +1,8 @@
 // npm run edit-times: from a key in a field to the first frame of the run that follows, for every number of the board, and
 // for a parameter of each case; median and 95th percentile, ms, beside those of a frame in which nothing changed. Printed, not
 // asserted: they are those of this machine.
-// With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha; "cases" for the cases alone.
+// With parts of names, only those fields of the board: npm run edit-times -- gravity initial.alpha; "cases" for the cases alone,
+// and behind it parts of their names for these alone: npm run edit-times -- cases balanced.
 /* global window, document, requestAnimationFrame, localStorage, KeyboardEvent, MessageChannel -- functions given to the page run there */
 import { findBrowser } from './browser.mjs';
 import { serve } from './serve-dist.mjs';
@@ -114,7 +115,8 @@ main(async (wanted) => {
   });
   const { server, port } = await serve({ port: 0 });
   const address = `http://127.0.0.1:${port}/`;
-  const onlyCases = wanted.join() === 'cases';
+  const onlyCases = wanted[0] === 'cases';
+  const wantedCases = onlyCases ? wanted.slice(1) : [];
   try {
     if (!onlyCases) console.log(`${'field of the ridden board'.padEnd(44)} median    p95, ms`);
     const board = await open(browser, address, 'ridden');
@@ -131,7 +133,9 @@ main(async (wanted) => {
     await board.close();
     if (wanted.length > 0 && !onlyCases) return 0;
     console.log(`\n${'first parameter of the case'.padEnd(44)} median    p95, ms`);
-    for (const id of cases) {
+    for (const id of cases.filter(
+      (one) => wantedCases.length === 0 || wantedCases.some((part) => one.includes(part)),
+    )) {
       const page = await open(browser, address, id);
       const [path] = (await paths(page)).filter((one) => one.startsWith('parameters.'));
       print(id, path ? await stepped(page, path) : null);

@@ -1,5 +1,5 @@
 // Runs over a message channel, by the real service: rows as they come, a cancel, another run in its place, a push.
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { RunClient, type RunHandlers } from '../../src/compute/client/runClient.ts';
 import { calls } from '../../src/compute/services/run.ts';
 import type { RunEvent, RunResult } from '../../src/compute/services/runTypes.ts';
@@ -80,6 +80,26 @@ test('cancelled before it has begun, a run still says where it would have starte
   expect(events.map(({ type }) => type)).toEqual(['started', 'rows']);
   expect(events[1]).toMatchObject({ rows: 1, time: 0 });
 });
+
+const FINE = { outputStep: 0.01, method: { name: 'rk4', step: 0.004 } };
+
+test.each([0.5, 0.503, 0.5099, 0.3 - 1e-12, 0.1 + 0.2])(
+  'rows come as soon as there is one at the time that is waited for, %d s, and with nothing missing before it',
+  async (until) => {
+    // The clock stands still: what is sent is sent because it is waited for, or at the end.
+    const clock = vi.spyOn(performance, 'now').mockReturnValue(0);
+    const sent: number[] = [];
+    const emit = (event: RunEvent): void => {
+      if (event.type === 'rows' && event.rows > 0) sent.push(event.columns[0]![event.rows - 1]!);
+    };
+    const caller = { signal: new AbortController().signal, emit, onUpdate: () => {} };
+    await calls['run.compute']({ scenario: scenarioOf({ ...SHORT, ...FINE }), until }, caller);
+    clock.mockRestore();
+    expect(sent[0]!).toBeGreaterThanOrEqual(until - 1e-9);
+    expect(sent[0]!).toBeLessThan(SHORT.duration);
+    expect(sent.at(-1)).toBe(SHORT.duration);
+  },
+);
 
 test('nothing is heard of a run that another took the place of, or that was abandoned', async () => {
   const client = new RunClient(starts());

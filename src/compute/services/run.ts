@@ -12,6 +12,13 @@ const SLICE_MS = 4;
 /** Rows are sent at least this often, and no oftener, so that neither page nor plot waits or drowns. */
 const SEND_MS = 30;
 
+/**
+ * The time (s) by which the rows up to one that is waited for have been given out: a step gives out those before its end.
+ * 0: nothing is waited for.
+ */
+const rowsUpTo = (time: number, outputStep: number): number =>
+  time > 0 ? (Math.ceil(time / outputStep - 1e-6) + 1e-6) * outputStep : 0;
+
 /** While the start is dragged, the controller stays. */
 const designed = sharedFeedback(feedbackFor);
 
@@ -49,21 +56,22 @@ async function compute(
   onUpdate(act);
 
   let awaited = true;
+  const waitedFor = rowsUpTo(until, scenario.outputStep);
   for (let lastSent = performance.now(); !simulation.end;) {
     if (signal.aborted) {
       simulation.stop('cancelled', 'cancelled; what was computed is kept');
       break;
     }
     const began = performance.now();
-    simulation.advance(() => performance.now() >= began + SLICE_MS || (awaited && simulation.time >= until));
+    simulation.advance(() => performance.now() >= began + SLICE_MS || (awaited && simulation.time >= waitedFor));
     seconds += (performance.now() - began) / 1000;
     if (simulation.end) break;
     if (simulation.waits) {
       send();
       lastSent = 0;
       await new Promise<void>((resolve) => (wake = resolve));
-    } else if ((awaited && simulation.time >= until) || performance.now() - lastSent >= SEND_MS) {
-      awaited &&= simulation.time < until;
+    } else if ((awaited && simulation.time >= waitedFor) || performance.now() - lastSent >= SEND_MS) {
+      awaited &&= simulation.time < waitedFor;
       send();
       lastSent = performance.now();
     }

@@ -1,4 +1,6 @@
 import type { Forcing } from '../mechanics/forcing.ts';
+import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
+import type { System } from '../model/system.ts';
 
 /**
  * A kinetic energy below this part of the energy's own size is rounding of a system at rest: an energy drift beside it
@@ -93,4 +95,22 @@ export class EnergyBalance {
  */
 export function driftOf(change: number, kinetic: number, size: number): number | null {
   return kinetic > AT_REST * size && kinetic > 0 ? change / kinetic : null;
+}
+
+/**
+ * What drives and forces of the system itself put in, W; null where there are none.
+ *
+ * @param system that the run is of
+ * @param dynamics looks at each state; none that steps are taken with
+ */
+export function outsidePowerOf(system: System, dynamics: ConstrainedSystem): Power | null {
+  if (!system.outsidePower) return null;
+  const a = new Float64Array(dynamics.n);
+  const lambda = new Float64Array(dynamics.m);
+  return (t, q, v) => {
+    if (system.clock !== undefined && !dynamics.acceleration(t, q, v, a, lambda)) return NaN;
+    let power = system.outsidePower!(q, v, a, dynamics.parameters);
+    if (system.clock !== undefined) for (let r = 0; r < dynamics.m; r++) power -= lambda[r]! * dynamics.drift[r]!;
+    return power;
+  };
 }

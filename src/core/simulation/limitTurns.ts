@@ -1,0 +1,115 @@
+import { REACHED } from './run.ts';
+import type { LastStep } from './lastStep.ts';
+import type { Saturation } from './saturation.ts';
+
+/** Places within a step where a controller is asked whether it has reached its limit, or left it. */
+const LIMIT_LOOKS = 4;
+
+/** Limits that are reached and left at one moment: beyond so many turns the limit acts at every moment of one step. */
+const MOST_TURNS = 6;
+
+/** A controller's limit is reached or left at a time. */
+interface Turn {
+  readonly saturation: Saturation;
+  readonly time: number;
+}
+
+/** When controllers reach their limits and leave them, found as a run goes on: its steps end there. */
+export class LimitTurns {
+  private readonly saturations: readonly Saturation[];
+  private readonly step: LastStep;
+  /** y at the start of the step. */
+  private readonly before: Float64Array;
+  private next: Turn | null = null;
+  /** Since a step was last kept. */
+  private turns = 0;
+
+  constructor(saturations: readonly Saturation[], step: LastStep) {
+    this.saturations = saturations;
+    this.step = step;
+    this.before = new Float64Array(step.stepper.y.length);
+  }
+
+  /** No step may go beyond it, s. */
+  get end(): number {
+    return this.next?.time ?? Infinity;
+  }
+
+  /** At the start of the run. */
+  begin(t: number, q: Float64Array, v: Float64Array): void {
+    for (const saturation of this.saturations) saturation.decide(t, q, v);
+  }
+
+  /** Before a step, which may be taken back. */
+  remember(): void {
+    if (this.saturations.length > 0) this.before.set(this.step.stepper.y);
+  }
+
+  /**
+   * Whether a controller reached or left its limit within the last step, which is then taken back: the next ones end
+   * there (the step itself was computed with the old side, so that it and its dense output are smooth).
+   */
+  takeBack(): boolean {
+    const { step, before } = this;
+    const { t, previousT } = step;
+    let first: Turn | null = null;
+    for (const saturation of this.saturations) {
+      const left = (time: number): boolean => {
+        if (time === t) return saturation.left(t, step.q, step.v);
+        step.lookAt(time);
+        return saturation.left(time, step.atQ, step.atV);
+      };
+      const until: number = first?.time ?? t;
+      for (let look = 1, low = previousT; look <= LIMIT_LOOKS; look++) {
+        const high: number = look === LIMIT_LOOKS ? until : previousT + ((until - previousT) * look) / LIMIT_LOOKS;
+        if (left(high)) {
+          first = { saturation, time: firstTime(left, low, high) };
+          break;
+        }
+        low = high;
+      }
+    }
+    // Where the step was to end for it, it may be a last digit early or late.
+    const due = this.next && t >= this.next.time ? this.next.saturation : null;
+    if (!first || first.saturation === due) {
+      this.turns = 0;
+      return false;
+    }
+    const at = first.time - previousT <= REACHED * (t - previousT) ? previousT : first.time;
+    step.rewind(previousT, before);
+    if (at > previousT) {
+      this.next = { saturation: first.saturation, time: at };
+      return true;
+    }
+    if (++this.turns > MOST_TURNS) first.saturation.side = NaN;
+    else first.saturation.turn(previousT, step.q, step.v);
+    return true;
+  }
+
+  /** A step ended: whether a controller is on another side of its limit from now on. */
+  arrive(): boolean {
+    const { step, next } = this;
+    const { t, q, v } = step;
+    let turned = false;
+    if (next && t >= next.time) {
+      next.saturation.turn(t, q, v);
+      this.next = null;
+      turned = true;
+    }
+    for (const saturation of this.saturations) {
+      if (saturation.side === saturation.side) continue;
+      saturation.decide(t, q, v);
+      turned = true;
+    }
+    return turned;
+  }
+}
+
+/** First time in (low, high] at which a test holds that holds at `high`, to the last digits of t. */
+function firstTime(test: (t: number) => boolean, low: number, high: number): number {
+  for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    if (test(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
+}

@@ -1,9 +1,7 @@
+import { firstCrossing } from './firstCrossing.ts';
 import { REACHED } from './run.ts';
 import type { LastStep } from './lastStep.ts';
 import type { Saturation } from './saturation.ts';
-
-/** Places within a step where a controller is asked whether it has reached its limit, or left it. */
-const LIMIT_LOOKS = 4;
 
 /** Limits that are reached and left at one moment: beyond so many turns the limit acts at every moment of one step. */
 const MOST_TURNS = 6;
@@ -54,19 +52,9 @@ export class LimitTurns {
     const { t, previousT } = step;
     let first: Turn | null = null;
     for (const saturation of this.saturations) {
-      const left = (time: number): boolean => {
-        if (time === t) return saturation.left(t, step.q, step.v);
-        step.lookAt(time);
-        return saturation.left(time, step.atQ, step.atV);
-      };
-      const until: number = first?.time ?? t;
-      for (let look = 1, low = previousT; look <= LIMIT_LOOKS; look++) {
-        const high: number = look === LIMIT_LOOKS ? until : previousT + ((until - previousT) * look) / LIMIT_LOOKS;
-        if (left(high)) {
-          first = { saturation, time: firstTime(left, low, high) };
-          break;
-        }
-        low = high;
+      for (const way of saturation.ways) {
+        const time = this.leaves(saturation, way, first?.time ?? t);
+        if (time !== null) first = { saturation, time };
       }
     }
     // Where the step was to end for it, it may be a last digit early or late.
@@ -84,6 +72,21 @@ export class LimitTurns {
     if (++this.turns > MOST_TURNS) first.saturation.side = NaN;
     else first.saturation.turn(previousT, step.q, step.v);
     return true;
+  }
+
+  /** First time in the last step, up to one, at which what is asked leaves a controller's side; null where it stays. */
+  private leaves(saturation: Saturation, way: number, until: number): number | null {
+    const { step } = this;
+    const { t, previousT } = step;
+    const value = (time: number): number => {
+      if (time === t) return saturation.room(t, step.q, step.v, way);
+      step.lookAt(time);
+      return saturation.room(time, step.atQ, step.atV, way);
+    };
+    // A switch at the start may have left it on the other side; rounding there alone leaves nothing.
+    if (value(previousT) < 0 && value(previousT + REACHED * (until - previousT)) < 0) return previousT;
+    const crossing = firstCrossing({ value }, previousT, until);
+    return crossing && firstTime((time) => !(value(time) > 0), ...crossing);
   }
 
   /** A step ended: whether a controller is on another side of its limit from now on. */

@@ -6,7 +6,7 @@ const MARGIN = 1e-9;
 /**
  * What a controller asks of an input, within the input's limit. Where it reaches the limit depends on the state, so a run
  * finds it as it goes: `side` holds for a step (0 free, 1 and -1 at that limit), whatever is asked within it, so that the
- * step is smooth; afterwards `left` tells whether it should have been another. Undecided (NaN) the limit acts at every moment.
+ * step is smooth; afterwards `room` tells whether it should have been another. Undecided (NaN) the limit acts at every moment.
  */
 export class Saturation {
   side = NaN;
@@ -43,12 +43,17 @@ export class Saturation {
     this.feedback.addSlopes(t, q, v, weight, row, forceQ, forceV);
   }
 
-  /** Whether what is asked at a state is not what `side` holds for. */
-  left(t: number, q: Float64Array, v: Float64Array): boolean {
+  /** The sides on which what is asked can leave `side`. */
+  get ways(): readonly number[] {
+    const { side } = this;
+    return side === 0 ? [1, -1] : side === side ? [side] : [];
+  }
+
+  /** How far what is asked at a state is from leaving `side` on one of its ways: it has left where that is below zero. */
+  room(t: number, q: Float64Array, v: Float64Array, way: number): number {
     const { feedback, side } = this;
-    const asked = feedback.asked(t, q, v);
-    if (side === 0) return Math.abs(asked) > feedback.limit * (1 + MARGIN);
-    return side === side && side * asked < feedback.limit * (1 - MARGIN);
+    const asked = way * feedback.asked(t, q, v);
+    return side === 0 ? feedback.limit * (1 + MARGIN) - asked : asked - feedback.limit * (1 - MARGIN);
   }
 
   /** Takes the side that a state asks for. */

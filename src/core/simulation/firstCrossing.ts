@@ -27,6 +27,8 @@ const FOLLOWED = 1e-4;
 const CHECKS = [0.2183, 0.5569, 0.8741];
 /** Of the whole interval: no piece is shorter. */
 const NARROWEST = 1e-9;
+/** Nor than this beside its times, which have to be told apart. */
+const ULPS = 32 * Number.EPSILON;
 /** Values of the function; then pieces are known by their ends alone. */
 const MOST_LOOKS = 100_000;
 
@@ -70,7 +72,12 @@ function inPiece({ value, nearly = value, off = 0 }: Looks, low: number, high: n
   glance.fit(glanced);
   const slack = off + MARGIN * glance.tail + ROUNDING * sizeOf(glanced);
   if (glance.least > slack || glance.greatest < -slack) return null;
-  return new Search(value, NARROWEST * (high - low)).in(low, value(low), high, value(high));
+  return new Search(value, Math.max(NARROWEST * (high - low), ULPS * Math.max(Math.abs(low), Math.abs(high)))).in(
+    low,
+    value(low),
+    high,
+    value(high),
+  );
 }
 
 class Search {

@@ -133,6 +133,16 @@ describe('the first crossing', () => {
     }
   });
 
+  test('of an interval of a few last digits', () => {
+    for (let n = 0; n < 500; n++) {
+      const low = between(0.1, 10);
+      const high = low + Math.ceil(between(0, 40)) * low * Number.EPSILON;
+      const at = between(low, high);
+      const found = firstCrossing({ value: (t) => (at - t) * (random() - 0.3) }, low, high);
+      if (found) expect(found[0] >= low && found[0] < found[1] && found[1] <= high).toBe(true);
+    }
+  });
+
   test('costs six looks where nothing is near', () => {
     let looks = 0;
     expect(firstCrossing({ value: (t) => (looks++, 1 + 0.1 * t + 0.05 * t * t) }, 0, 1)).toBe(null);

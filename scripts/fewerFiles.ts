@@ -1,4 +1,5 @@
-// How the first view's scripts are cut: one file of what page and worker share, one of the page's, one of the worker's.
+// How the first view's scripts are cut: one file of what page and worker share, one of the page's, one of
+// the worker's, one of what draws the first bodies.
 // Cut wherever a later part shares something with them, they were forty, and compressed worse.
 import { fileURLToPath } from 'node:url';
 
@@ -11,6 +12,8 @@ const PAGE = source('main.tsx');
 const WORKER = source('compute/worker.ts');
 /** The worker's first task. */
 const TASK = source('compute/services/run.ts');
+/** What draws the first motion: a board and who stands on it. */
+const DRAWN = ['core/geometry/drawings.ts', 'core/systems/ripstik-rider/drawing.ts'].map(source);
 
 /** Modules that some take, and these in turn; `later`: also what they load later. */
 function closure(from: readonly string[], modules: Modules, later = false): ReadonlySet<string> {
@@ -26,19 +29,21 @@ function closure(from: readonly string[], modules: Modules, later = false): Read
 }
 
 /**
- * For rolldown: which of the three a module is in; null: it comes later, or begins one of the two. What the worker may
+ * For rolldown: which of the four a module is in; null: it comes later, or begins one of the two. What the worker may
  * ever take is in no file of the page's own: that would run the page in the worker.
  */
 export function fileOf(): (id: string, modules: Modules) => string | null {
-  let sets: Record<'page' | 'worker' | 'first', ReadonlySet<string>> | null = null;
+  let sets: Record<'page' | 'worker' | 'first' | 'drawn', ReadonlySet<string>> | null = null;
   return (id, modules) => {
     sets ??= {
       page: closure([PAGE], modules),
       worker: closure([WORKER], modules, true),
       first: closure([WORKER, TASK], modules),
+      drawn: closure(DRAWN, modules),
     };
     if (id === PAGE || id === WORKER) return null;
     if (sets.page.has(id)) return sets.worker.has(id) ? 'shared' : 'page';
-    return sets.first.has(id) ? 'compute' : null;
+    if (sets.first.has(id)) return 'compute';
+    return sets.drawn.has(id) ? 'drawings' : null;
   };
 }

@@ -13,6 +13,7 @@ const AT_ONCE = [
   'src/core/systems/ripstik/equations.generated.ts',
   'src/core/geometry/drawings.ts',
   'src/core/systems/ripstik/drawing.ts',
+  'src/core/systems/ripstik-rider/drawing.ts',
   'src/app/offline.ts',
   'src/app/persistence/keptRuns.ts',
   'src/features/experiment/lowerSections.tsx',

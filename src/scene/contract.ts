@@ -11,6 +11,8 @@ export interface BodyModel extends BodyPart {
   model: string;
   /** Its plain name; the id without one. */
   label?: string;
+  /** Seen, and no part of the motion: a hand goes through it. */
+  figure?: boolean;
   /** The mesh's group `wheel` turns about y through `hub` (m, in the body's frame) by this one of the frame's wheel angles. */
   spin?: { hub: readonly [number, number, number]; contact: number };
 }

@@ -249,15 +249,15 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     return shown ? pickBody(x, y, reach, rig.camera, size, bodies) : null;
   }
 
-  /** Of the bodies that are drawn. */
-  function boxesOnScreen(): ScreenBox[] {
+  /** Of the bodies that are drawn; of those that a hand can take hold of. */
+  function boxesOnScreen(solid = false): ScreenBox[] {
     return Array.from({ length: bodies.count }, (_, i) =>
-      bodies.shows(i) ? boxOnScreen(i, rig.camera, size, bodies) : null,
+      bodies.shows(i) && !(solid && bodies.modelOf(i)?.figure) ? boxOnScreen(i, rig.camera, size, bodies) : null,
     ).filter((box) => box !== null);
   }
 
   function nearBodies(x: number, y: number, pixels: number): boolean {
-    return boxesOnScreen().some(
+    return boxesOnScreen(true).some(
       ({ left, right, top, bottom }) =>
         x > left - pixels && x < right + pixels && y > top - pixels && y < bottom + pixels,
     );

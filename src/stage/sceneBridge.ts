@@ -189,8 +189,9 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
           const { pairs, bodies, fixtures, stage } = drawing;
           try {
             const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
-            const named = bodies.map((body) => ({
+            const named = bodies.map((body, i) => ({
               ...body,
+              figure: i >= motion.system.meta.bodies.length,
               label: drawn.bodies.find((b) => b.id === body.id)?.label ?? body.id,
             }));
             const [models, cast] = [

@@ -45,6 +45,11 @@ export const text = {
     inset: 'Front caster in a corner',
     insetTitle: 'Front caster',
     rider: 'Somebody on the board',
+    riders: [
+      { id: 'auto', label: 'where feet move it' },
+      { id: 'always', label: 'always' },
+      { id: 'never', label: 'never' },
+    ],
     level: 'Keep the horizon level',
     forceScale: 'Length of force arrows',
     perNewton: (cm: string) => `${cm} centimetres per newton`,

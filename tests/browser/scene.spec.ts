@@ -6,11 +6,23 @@ test.use({ viewport: VIEWPORT });
 
 const all = ripstikMeta.bodies.map((_, i) => i);
 
-test('the built page under a sub-path draws five bodies and asks no one else for anything', async ({ page }) => {
+test('the built page under a sub-path draws five bodies and somebody on them, and asks no one else for anything', async ({
+  page,
+}) => {
   const watch = await openPage(page);
   expect(new URL(page.url()).pathname).toBe('/lab/');
-  expect(await page.evaluate(() => window.ripstikScene!.stats().bodies)).toBe(5);
+  const bodies = () => page.evaluate(() => window.ripstikScene!.stats().bodies);
+  expect(await bodies()).toBe(6);
+  const ridden = await picture(page);
+  await showOnly(page, all);
+  expect(await differingPixels(page, await picture(page), ridden), 'somebody on the board').toBeGreaterThan(1000);
 
+  // The board by itself fills the picture.
+  await page.getByTestId('view-menu').click();
+  await page.getByTestId('look-rider').selectOption('never');
+  await page.keyboard.press('Escape');
+  await expect.poll(bodies).toBe(5);
+  await showOnly(page, all);
   const whole = await picture(page);
   await showOnly(page, []);
   const empty = await picture(page);

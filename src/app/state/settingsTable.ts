@@ -4,6 +4,8 @@ import { plotsFrom, type PlotsState } from './plotPanes.ts';
 
 export type Theme = 'light' | 'dark';
 export type ViewName = 'orbit' | 'front' | 'side' | 'top' | 'caster' | 'rider';
+/** Whether somebody is seen on a board that is computed without a rider: where feet move it, or by choice. */
+export type Figure = 'auto' | 'always' | 'never';
 export type Quality = 'auto' | 'low' | 'high';
 
 /** What a check needs to know of the page. */
@@ -48,6 +50,9 @@ const oneOf =
   <T extends string>(...names: readonly T[]) =>
   (value: unknown): T | undefined =>
     names.find((name) => name === value);
+/** It was stored as a flag once. */
+const figure = (value: unknown): Figure | undefined =>
+  value === true ? 'always' : oneOf<Figure>('auto', 'always', 'never')(value);
 const between = (least: number, most: number) => (value: unknown) =>
   typeof value === 'number' && value >= least && value <= most ? value : undefined;
 const openTool = (value: unknown, { toolIds }: PageFacts): string | null | undefined =>
@@ -73,8 +78,7 @@ export const SETTINGS = {
   showFrames: setting(false, flag, { stored: 'look.frames', drawn: 'frames' }),
   /** The close-up in a corner, where the system has one. */
   showInset: setting(false, flag, { stored: 'look.inset' }),
-  /** Somebody on a board that is computed without a rider. */
-  showRider: setting(false, flag, { stored: 'look.rider', sparse: true }),
+  showRider: setting<Figure>('auto', figure, { stored: 'look.rider', sparse: true }),
   /** From aboard, the horizon stays level. */
   levelHorizon: setting(true, flag, { stored: 'look.level', drawn: 'level' }),
   quality: setting<Quality>('auto', oneOf('auto', 'low', 'high'), { stored: 'look.quality' }),

@@ -213,6 +213,8 @@ export interface SystemMeta {
   gait?: { feet: readonly [string, string]; drag?: string; hold?: readonly string[] };
   /** A system whose drawing has one body more, somebody who stands upright on this one, with the centre of mass so high above body 0 (m). */
   rider?: { drawnAs: string; height: number };
+  /** The group of parameters that somebody's height and mass give (`systems/ripstik-rider/person.ts`). */
+  person?: string;
   bodies: readonly BodyMeta[];
   /** Forces that are left out where the parameter of the same name is zero; the derivation writes `<name>Force` and `<name>Jacobians`. */
   optionalForces?: readonly string[];

@@ -4,10 +4,13 @@ import type { ParameterMeta, SystemMeta } from '../../core/model/system.ts';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section } from '../../ui/kit/controls.tsx';
 import { parameterDefault, withEntry, withParameterSet } from '../../app/state/draft.ts';
+import { later } from '../../ui/kit/later.tsx';
 import { NumberField } from '../../ui/kit/numberField.tsx';
 import { words } from './words.ts';
 import { numberOf } from '../../ui/kit/useNumberField.ts';
 import type { NumberSpec } from '../../ui/kit/useNumberField.ts';
+
+const PersonFields = later(async () => (await import('./personFields.tsx')).PersonFields);
 
 export function ParametersSection() {
   const ui = useUi();
@@ -34,6 +37,7 @@ export function ParametersSection() {
       {groups.map((group) => (
         <fieldset key={group} class="group">
           <legend>{group}</legend>
+          {group === meta.person && <PersonFields />}
           {parameters
             .filter((p) => p.group === group)
             .map((p) => (

@@ -18,6 +18,9 @@ export const words = {
   rate: 'rate',
   parameters: 'Parameters',
   parameterSet: 'Parameter set',
+  person: 'Rider by height and mass',
+  personHint:
+    'Sets mass, height of the centre and inertia below, by the segments of a grown man\u2019s body (de Leva).',
   method: 'Method',
   formulation: 'Formulation',
   residualAsItIs: 'None: IDA takes the residual as it is',

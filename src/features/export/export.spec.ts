@@ -222,7 +222,9 @@ test('the GLB validates and its keyframes are the run’s rows', async ({ page }
   const moving = [...new Set(json.animations[0]!.channels.map(({ target }) => json.nodes[target.node]!.name))].filter(
     (name) => !name.endsWith('-wheel'),
   );
-  expect(moving).toHaveLength(5);
+  // The board's bodies, and somebody who stands on it.
+  expect(moving).toHaveLength(6);
+  expect(moving[5]).toBe('rider');
   const used = rows.filter((row) => row[0]! <= 3);
   const tracks = moving.map((name) => [track(name, 'translation')!, track(name, 'rotation')!] as const);
   for (const pair of tracks) for (const { times } of pair) expect(times).toHaveLength(used.length);

@@ -4,6 +4,7 @@ import type { App } from '../../app/app.ts';
 import { useUi } from '../../ui/context.ts';
 import { CourseMap } from './courseMap.tsx';
 import { Session } from './session.ts';
+import { PersonInputs } from '../../ui/kit/personInputs.tsx';
 import { HelpLink } from '../../ui/kit/helpLink.tsx';
 import { Choice, Pads } from './pads.tsx';
 import { gates } from './course.ts';
@@ -70,7 +71,9 @@ export function RideView({ onLeave }: { onLeave(): void }) {
               />{' '}
               {words.rider}
             </label>
-            {session.rider && <PersonFields session={session} />}
+            {session.rider && (
+              <PersonInputs person={session.person} testId="ride" onChange={(person) => session.setPerson(person)} />
+            )}
             <span class="hint">
               {words.helpHint[level]} {coarse && words.coarse}
             </span>
@@ -96,39 +99,6 @@ export function RideView({ onLeave }: { onLeave(): void }) {
         <p class="hint ride-keys">{words.keys}</p>
       </section>
     </div>
-  );
-}
-
-/** A person of ordinary size to begin with; what is typed begins the ride again. */
-const GROWN = { height: 1.75, mass: 75 };
-const SIZES = { height: [1, 2.3, 0.01, words.tall], mass: [20, 200, 1, words.mass] } as const;
-
-function PersonFields({ session }: { session: Session }) {
-  return (
-    <>
-      {(['height', 'mass'] as const).map((key) => {
-        const [least, most, step, label] = SIZES[key];
-        return (
-          <label key={key} class="ride-person">
-            {label}{' '}
-            <input
-              type="number"
-              min={least}
-              max={most}
-              step={step}
-              placeholder={String(GROWN[key])}
-              value={session.person?.[key] ?? ''}
-              data-testid={`ride-${key}`}
-              onChange={({ currentTarget: { value, valueAsNumber } }) => {
-                if (value === '') session.setPerson(null);
-                else if (valueAsNumber >= least && valueAsNumber <= most)
-                  session.setPerson({ ...(session.person ?? GROWN), [key]: valueAsNumber });
-              }}
-            />
-          </label>
-        );
-      })}
-    </>
   );
 }
 

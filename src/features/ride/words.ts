@@ -15,8 +15,6 @@ export const words = {
   takeOver: 'Ride on from here',
   takeOverTitle: 'From the moment that is shown, the ride is yours again',
   rider: 'With a rider',
-  tall: 'Height, m',
-  mass: 'Mass, kg',
   choices: (help: string, pace: string, rider: boolean, coarse: boolean) =>
     `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}${coarse ? ' · drawn coarser' : ''}`,
   marks: (count: number) => (count === 1 ? 'One command' : `${count} commands`),

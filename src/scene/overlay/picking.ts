@@ -50,7 +50,7 @@ function hit(x: number, y: number, camera: PerspectiveCamera, size: Size, bodies
   const ray = aim(x, y, camera, size);
   let best: { body: number; distance: number; point: Vector3 } | null = null;
   bodies.roots().forEach((root, body) => {
-    if (!root.visible) return;
+    if (!root.visible || bodies.modelOf(body)?.figure) return;
     root.updateWorldMatrix(true, true);
     const first = ray.intersectObject(root, true)[0];
     if (first && first.distance < (best?.distance ?? Infinity))

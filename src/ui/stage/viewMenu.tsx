@@ -1,7 +1,7 @@
 /** What of the stage is switched less often: names, axes, the inset, scales. A disclosure: Escape closes it, and so does pressing elsewhere. */
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { FORCE_SCALES, scaleIndex } from '../../app/state/forceScale.ts';
-import type { Quality } from '../../app/state/settingsTable.ts';
+import type { Figure, Quality } from '../../app/state/settingsTable.ts';
 import { useCommand, useUi } from '../context.ts';
 import { Check, Choice, Icon } from '../kit/controls.tsx';
 import { formatShort, THIN } from '../kit/format.ts';
@@ -60,11 +60,12 @@ export function ViewMenu({ closeUp, ridden, forced }: { closeUp: boolean; ridden
         <CheckOf id="frames" checked={state.showFrames.value} />
         {closeUp && <CheckOf id="inset" checked={state.showInset.value} />}
         {ui.system.value?.meta.rider && (
-          <Check
+          <Choice
             label={words.rider}
-            checked={state.showRider.value}
+            value={state.showRider.value}
             testId="look-rider"
-            onChange={(shown) => actions.set('showRider', shown)}
+            options={words.riders}
+            onChange={(figure) => actions.set('showRider', figure as Figure)}
           />
         )}
         {ridden && state.view.value === 'rider' && <CheckOf id="level" checked={state.levelHorizon.value} />}

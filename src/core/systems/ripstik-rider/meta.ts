@@ -13,6 +13,7 @@ export const ripstikRiderMeta = {
   ...board,
   id: 'ripstik-rider',
   title: 'RipStik with a rider',
+  person: 'Rider',
   coordinates: [
     ...board.coordinates,
     { name: 'beta', symbol: 'β', label: 'rider’s lean', kind: 'angle', role: 'neutral' },

@@ -126,6 +126,9 @@ class BodyPage:
             if frame.W != sp.zeros(3, len(self.q)):
                 omega = Term(mark(f"omega.{self.named(frame)}"), frame.W * self.v)
                 terms.append(self.carried(frame, cross(omega, vector(offset))))
+            slide = offset.jacobian(self.q) * self.v
+            if slide != sp.zeros(3, 1):
+                terms.append(self.carried(frame, vector(slide)))
         return plus(*terms)
 
     def kinetic(self, body) -> Term:

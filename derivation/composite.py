@@ -14,17 +14,21 @@ class Dynamics:
     """M, h, Omega and gamma in the tree's unknowns: joints from the ends of the branches inwards, base, the carrier's own joints.
 
     forces: generalized forces by coordinate, as values. rows: [(direction, point)] of `direction . velocity = 0`, direction a
-    frame's axis as (frame, axis) or an axis of the world by its name.
+    frame's axis as (frame, axis) or an axis of the world by its name. within: what moves in one of the bodies (`within.Within`).
     """
 
-    def __init__(self, tree: Tree, forces, rows):
+    def __init__(self, tree: Tree, forces, rows, within=None):
         self.tree, self.tape = tree, tree.tape
         self.joints, self.carrying = tree.joints, tree.carrying
         self.count = len(self.joints) + 3 + len(self.carrying)
-        self.unknowns = Unknowns(tree)
+        self.unknowns = Unknowns(tree, within)
         self.base_velocity = self.unknowns.base_rates(tree.v)
         self._bodies()
+        if within is not None:
+            within.changes(self, forces)
         self.M = self._mass_matrix()
+        if within is not None:
+            within.lightens(self.M, len(self.joints))
         self.h = [q + h for q, h in zip(self.unknowns.forces(forces), self._bias_forces())]
         self.rows = [self._row(direction, point) for direction, point in rows]
         self.Omega, self.gamma, self.slip = ([row[k] for row in self.rows] for k in range(3))

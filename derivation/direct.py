@@ -20,6 +20,7 @@ from .elimination import Saddle
 from .recorder import Recorder
 from .tape import Tape, arguments
 from .typescript import HEADER, Writer, module
+from .within import Within
 
 # A pivot of S below this share of its diagonal is rounding (`DEPENDENT` in core/mechanics).
 DEPENDENT = 1e-13
@@ -34,6 +35,7 @@ class Direct:
     losses: object  # n x 1
     rows: dict
     contacts: tuple
+    within: object = None  # `within.Inner`, what moves in one of the bodies
 
 
 class InCoordinates:
@@ -75,7 +77,10 @@ class Programs:
         direct, n = model.direct, len(model.q)
         self.model, self.n, self.tape = model, n, Tape()
         definitions = () if direct else model.definitions
-        self.record = Recorder(self.tape, {"q": list(model.q), "v": list(model.v), "p": list(model.parameters)}, definitions)
+        within = direct.within if direct else None
+        flags = list(within.flags) if within else []
+        self.parameters = [*model.parameters, *flags]
+        self.record = Recorder(self.tape, {"q": list(model.q), "v": list(model.v), "p": self.parameters}, definitions)
         outside = [self.tape.input("f", i) for i in range(n)]
         if direct is None:
             self.sets = {c.id: Set(self, InCoordinates(self.record, model, c, outside), [self.record(x) for x in c.heights])
@@ -85,7 +90,7 @@ class Programs:
         forces = [self.record(x) + f for x, f in zip(direct.losses, outside)]
         self.sets = {}
         for name, rows in direct.rows.items():
-            dynamics = Dynamics(tree, forces, rows)
+            dynamics = Dynamics(tree, forces, rows, Within(within, tree) if within else None)
             self.sets[name] = Set(self, dynamics, [dynamics.height(point) for point in direct.contacts])
 
     def fixed(self) -> list:
@@ -104,18 +109,26 @@ class Programs:
 
     def text(self, source) -> str:
         n, model = self.n, self.model
-        names = {"q": [s.name for s in model.q], "v": [s.name for s in model.v], "p": [s.name for s in model.parameters]}
+        names = {"q": [s.name for s in model.q], "v": [s.name for s in model.v], "p": [s.name for s in self.parameters]}
         writer, of_state = Writer(self.tape, names, own_sines=True), Writer(self.tape, names, {"q": ("y", 0), "v": ("y", n)}, True)
         fixed = self.fixed()
         constants = {i: f"c[{k}]!" for k, i in enumerate(fixed)}
         texts = [HEADER.format(what="Constrained accelerations", title=model.title, source=source),
                  "/** Length of the constants. */", f"export const constantCount = {len(fixed)};\n",
+                 *self.holdable(),
                  writer.function("prepare", "Constants of all functions below, from the parameters.", ["p", "c"],
                                  [(f"c[{k}]", self.tape.at(i)) for k, i in enumerate(fixed)])]
         for name, s in self.sets.items():
             texts += s.texts(name, writer, of_state, constants)
         return module(texts)
 
+
+    def holdable(self) -> list:
+        within = self.model.direct.within if self.model.direct else None
+        if within is None:
+            return []
+        about = "Coordinates that may be held here: p ends with a 1 for each that is, a 0 for each that is free."
+        return [f"/** {about} */", f"export const holdable = {list(within.coordinates)};\n"]
 
     def program(self) -> str:
         """The tape itself with what its values are for, so that another writer can walk it: JSON.

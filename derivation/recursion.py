@@ -102,6 +102,10 @@ class Tree:
         while True:
             for _, offset in (arm for arm in point.arms if arm[0] is frame):
                 r, bias = let("r", r + offset), let("c", bias + self.rotating(frame).bias(offset))
+                slide = offset.jacobian(self.q)
+                if slide != sp.zeros(3, n):
+                    bias = let("c", bias + 2 * self.rotating(frame).omega.cross(slide * self.v))
+                    W = W + slide
             if frame is point.carrier:
                 break
             own = sp.Matrix([frame.angle]).jacobian(self.q)

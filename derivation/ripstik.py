@@ -69,6 +69,7 @@ class Kind:
     springs: object  # potential of all springs
     losses: sp.Matrix  # n x 1, of springs and dampers
     subscripts: dict
+    within: object = None  # Board -> `within.Inner`: what moves in a body that the board carries
 
 
 def board(q: sp.Matrix, roll_front, roll_back) -> Board:
@@ -125,9 +126,12 @@ def modelled(kind: Kind) -> Model:
 
 def short_way(kind, described) -> Direct:
     lateral = {"rolling": [(frame, "y") for _, frame in described.skates], "report": ["y", "y"]}
-    return Direct(described.bodies, p["gravity"], kind.losses,
+    within, bodies = kind.within and kind.within(described), described.bodies
+    if within:
+        bodies = (*bodies[:5], within.body)
+    return Direct(bodies, p["gravity"], kind.losses,
                   {name: [row for (point, _), across in zip(described.skates, both) for row in ((across, point), ("z", point))]
-                   for name, both in lateral.items()}, tuple(point for point, _ in described.skates))
+                   for name, both in lateral.items()}, tuple(point for point, _ in described.skates), within)
 
 
 def by_recursion(kind, names):

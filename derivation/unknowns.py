@@ -13,12 +13,12 @@ from .vectors import AXIS, Vector, dot
 class Unknowns:
     """Between the tree's unknowns and the coordinates."""
 
-    def __init__(self, tree: Tree):
-        self.tree = tree
+    def __init__(self, tree: Tree, within=None):
+        self.tree, self.within = tree, within
         q = tree.q
         self.turning = [*tree.joints, *tree.carrying, *tree.rotors.values()]
         self.base = [i for i in range(len(q)) if q[i] in tree.base.free_symbols]
-        self.angles = [i for i in range(len(q)) if i not in self.base]
+        self.angles = [i for i in range(len(q)) if i not in self.base and not (within and i in within.coordinates)]
         P = tree.base.jacobian([q[i] for i in self.base])
         if P != sp.eye(3):
             raise ValueError("a tree's base is a place of three coordinates")
@@ -78,6 +78,8 @@ class Unknowns:
             of[rotor] = total
         result = dict(zip(self.angles, self._mixed(self.inverse, [of[t] for t in self.turning])))
         place = list(x[joints:joints + 3])
+        if self.within:
+            result |= self.within.accelerations(place, of, free)
         for joint in reversed(tree.carrying):
             place = tree.axes.outwards(joint.frame, place)
         return [(result | dict(zip(self.base, place)))[i] for i in range(len(tree.q))]

@@ -9,7 +9,7 @@ export interface BodyPart {
 /** A body and the name of the mesh pair that draws it. */
 export interface BodyModel extends BodyPart {
   model: string;
-  /** Its plain name; the id without one. */
+  /** Its plain name; the id without one, and nothing is written on it where it is empty. */
   label?: string;
   /** Seen, and no part of the motion: a hand goes through it. */
   figure?: boolean;

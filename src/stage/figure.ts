@@ -30,12 +30,23 @@ export function drawnAs(motion: Motion, figure: Figure): SystemMeta {
  * @param motion that is drawn
  * @param poses 12 numbers a body, of its own bodies
  */
-export function posesFor({ bodies }: Pick<Cast, 'bodies'>, { system }: Motion, poses: Float64Array): Float64Array {
+export function posesFor(
+  { bodies }: Pick<Cast, 'bodies'>,
+  { system, parameters }: Motion,
+  poses: Float64Array,
+): Float64Array {
   const { rider } = system.meta;
   if (!rider || bodies.length <= system.meta.bodies.length) return poses;
   const out = new Float64Array(12 * bodies.length);
   out.set(poses);
   // The carrier's own roll is taken back: plates turn under the feet.
-  rolledOn(out, 0, bodies.length - 1, -Math.atan2(poses[10]!, poses[11]!), 0, rider.height);
+  const first = system.meta.bodies.length;
+  rolledOn(out, 0, first, -Math.atan2(poses[10]!, poses[11]!), 0, rider.height);
+  const { meta, limbs } = systemViews[rider.drawnAs]!;
+  for (let body = first + 1; body < meta.bodies.length; body++) out.copyWithin(12 * body, 12 * first, 12 * first + 12);
+  limbs?.place(
+    Float64Array.from(meta.parameters, ({ name, default: otherwise }) => parameters[name] ?? otherwise),
+    out,
+  );
   return out;
 }

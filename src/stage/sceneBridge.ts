@@ -192,7 +192,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
             const named = bodies.map((body, i) => ({
               ...body,
               figure: i >= motion.system.meta.bodies.length,
-              label: drawn.bodies.find((b) => b.id === body.id)?.label ?? body.id,
+              label: body.limb ? '' : (drawn.bodies.find((b) => b.id === body.id)?.label ?? body.id),
             }));
             const [models, cast] = [
               Object.fromEntries(worn) as Record<string, MeshPair>,

@@ -7,8 +7,10 @@ import type { Complex } from '../../src/core/control/linearization/spectrum.ts';
 import { marginsOf } from '../../src/core/control/margins.ts';
 import { systems } from '../../src/core/systems/all.ts';
 import { cases } from '../../src/core/systems/registry.ts';
+import { formulations } from '../../src/core/mechanics/formulations/formulations.ts';
+import { ConstrainedSystem } from '../../src/core/mechanics/constrainedSystem.ts';
 import { spectralDistance } from '../core/control/helpers.ts';
-import { runOf, scenarioOf } from '../helpers.ts';
+import { distance, endOf, runOf, scenarioOf } from '../helpers.ts';
 
 interface Reference {
   cases: {
@@ -89,5 +91,96 @@ describe('balanced by the feet', () => {
     const largest = (name: string) => run.columns.get(name)!.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
     expect(Math.abs(Math.max(largest('tau_af'), largest('tau_ab')) - 88.2)).toBeLessThan(0.1);
     expect(Math.abs(run.columns.get('beta')!.at(-1)!)).toBeLessThan(1e-3);
+  });
+});
+
+describe('legs and hips', () => {
+  const body = ['crouch', 'twist'];
+  const indices = body.map((name) => system.meta.coordinates.findIndex((c) => c.name === name));
+  const largest = (x: Iterable<number>): number => Math.max(...[...x].map(Math.abs));
+
+  test.each(['shortest', 'general'] as const)('held at 0 change nothing: %s way', (way) => {
+    const { states } = JSON.parse(readFileSync('tests/reference/ripstik-rider-stiff.json', 'utf8')) as {
+      states: Record<'q' | 'v' | 'acceleration' | 'multipliers' | 'energies', number[]>[] & { constraints: string }[];
+    };
+    expect(states.length).toBeGreaterThan(20);
+    const p = Float64Array.from(system.meta.parameters, (m) => m.default);
+    for (const { constraints, q, v, acceleration, multipliers, energies } of states) {
+      const d = new ConstrainedSystem(system, p, constraints, indices, null, way);
+      const [place, rate] = [Float64Array.from([...q, 0, 0]), Float64Array.from([...v, 0, 0])];
+      const [a, lambda, now] = [new Float64Array(13), new Float64Array(d.m), new Float64Array(2)];
+      expect(d.acceleration(0, place, rate, a, lambda)).toBe(true);
+      system.energy(place, rate, p, now);
+      for (const [is, was] of [
+        [a, [...acceleration, 0, 0]],
+        [lambda, multipliers],
+        [now, energies],
+      ] as const)
+        is.forEach((x, i) => expect(Math.abs(x - was[i]!)).toBeLessThan(1e-12 * largest(was)));
+    }
+  });
+
+  test.each([0, 1, 5])('released, upright at %d m/s: the legs bear the weight and swing by themselves', (X_dot) => {
+    const scenario = scenarioOf({ version: 1, system: 'ripstik-rider', release: body, at: { X_dot } });
+    const { riderMass: m, legStiffness: k, legDamping: c } = scenario.parameters;
+    const held = controlReport(scenarioOf({ version: 1, system: 'ripstik-rider', at: { X_dot } }), system);
+    const { states, eigenvalues } = controlReport(scenario, system);
+    expect(states).toHaveLength(26);
+    expect(held.states).toHaveLength(26);
+    expect(eigenvalues).toHaveLength(held.eigenvalues.length + 4);
+    const own: Complex = [-c! / (2 * m!), Math.sqrt(k! / m! - (c! / (2 * m!)) ** 2)];
+    const apart = eigenvalues.map(([re, im]) => Math.hypot(re - own[0], Math.abs(im) - own[1])).sort((a, b) => a - b);
+    expect(apart[1]).toBeLessThan(1e-8);
+    expect(operatingPoint(scenario, system).lambda[1]).toBeCloseTo(
+      operatingPoint(scenarioOf({ version: 1, system: 'ripstik-rider', at: { X_dot } }), system).lambda[1]!,
+      9,
+    );
+  });
+
+  test.each([
+    ['both held, crouched', {}],
+    ['crouch free', { release: ['crouch'] }],
+    ['twist free', { release: ['twist'] }],
+    ['both free', { hold: [] }],
+  ])('%s: every formulation and method has the same motion; energy and contact stay', (_, holding) => {
+    const raw = {
+      version: 1,
+      system: 'ripstik-rider',
+      ...holding,
+      initial: { X_dot: 1, beta: '1 deg', crouch: 0.06, twist: 0.2 },
+      parameters: { ankleDamping: 0, legDamping: 0, hipDamping: 0 },
+      duration: 0.4,
+    };
+    const run = runOf({ ...raw, outputStep: 0.02, method: { rtol: 1e-10, atol: 1e-12 } });
+    expect(run.end.reason).toBe('end');
+    const energy = run.columns.get('energy')!;
+    expect(largest(energy.map((x) => x - energy[0]!)) / energy[0]!).toBeLessThan(1e-9);
+    expect(largest(run.columns.get('residual')!)).toBeLessThan(1e-12);
+    for (const name of body) {
+      const moved = run.columns.get(name)!.at(-1)! !== run.columns.get(name)![0]!;
+      expect(moved, name).toBe(!scenarioOf(raw).hold.includes(name));
+    }
+    const known = endOf({ ...raw, method: { rtol: 1e-10, atol: 1e-12 } });
+    for (const { id } of formulations)
+      expect(distance(endOf({ ...raw, method: { formulation: id, rtol: 1e-10, atol: 1e-12 } }), known)).toBeLessThan(
+        1e-7,
+      );
+    expect(distance(endOf({ ...raw, method: { name: 'ida', rtol: 1e-9, atol: 1e-11 } }), known)).toBeLessThan(1e-4);
+  });
+
+  test('weights by the name of a state reach what is free, and the gain is that of the held rider where it is not', () => {
+    const control = { ...balanced.control, inputs: ['tau_af', 'tau_ab', 'tau_twist_rider'] } as object;
+    const Q = { ...(balanced.control as { Q: object }).Q, twist: 100, twist_dot: 1 };
+    const free = lqrOf(scenarioOf({ ...balanced, release: ['twist'], control: { ...control, Q } }), system);
+    const row = free.gain.getRow(2);
+    expect(Math.abs(row[indices[1]!]!)).toBeGreaterThan(1);
+    const [held, known] = [control, balanced.control].map(
+      (one) => lqrOf(scenarioOf({ ...balanced, control: one }), system).gain,
+    );
+    known!
+      .to2DArray()
+      .forEach((gains, i) =>
+        gains.forEach((x, j) => expect(Math.abs(held!.get(i, j) - x)).toBeLessThan(1e-6 * largest(gains))),
+      );
   });
 });

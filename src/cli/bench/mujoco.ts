@@ -2,8 +2,10 @@ import loadMujoco, { type MjData, type MjModel } from 'mujoco-js';
 
 /**
  * The board in MuJoCo's own WebAssembly build (Todorov, Erez, Tassa, "MuJoCo: a physics engine for model-based
- * control", IROS 2012): the same five bodies with explicit inertias, no geoms, contacts and constraints disabled; a sixth,
- * the rider, where `p` has one. Its hinge is on the rod there, and turns by `beta - alpha`: the same axis.
+ * control", IROS 2012): the same five bodies with explicit inertias, no geoms, contacts and constraints disabled; two more,
+ * the rider and what is above the hips, where `p` has one. The rider's hinge is on the rod there, and turns by `beta - alpha`:
+ * the same axis; then comes a slide down along the body, and on it the hips, a body of mass and three moments of inertia, which
+ * the rest of the rider gives.
  */
 
 /** How the rod's six degrees of freedom are given to MuJoCo: `hinges` has our own coordinates, `free` a quaternion. */
@@ -12,11 +14,17 @@ export type RootJoint = 'hinges' | 'free';
 /** Place of our coordinates among MuJoCo's with hinges: X Y Z theta psi alpha, front plate and caster, back ones. */
 const PLACE = [0, 1, 2, 5, 4, 3, 6, 8, 7, 9] as const;
 const n = PLACE.length;
-/** Places of the rod's roll and of the rider's hinge in both orders. */
+/** Places of the rod's roll and of the rider's hinge in both orders; slide and hips follow it. */
 const [ALPHA, RIDER] = [3, n] as const;
+/** Of the mass, and of the hips' own inertia about the vertical, about the others: any will do. */
+const ABOVE = { mass: 0.4, across: 0.8 };
 
 /** The board as MJCF, with its rider where `p` has one; `p` by name as in the system's meta. Without springs, damping and drag. */
-export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): string {
+export function boardXml(
+  p: Readonly<Record<string, number>>,
+  root: RootJoint,
+  moving: readonly ('crouch' | 'twist')[] = ['crouch', 'twist'],
+): string {
   const { rodMass, rodLength, rodRadius, plateMass, plateLength, plateWidth, plateThickness, plateOffset } =
     p as Record<string, number>;
   const { pivotDrop, casterAngle, casterTrail, casterDrop, casterMass, wheelRadius, gravity } = p as Record<
@@ -45,14 +53,7 @@ export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): 
           <joint type="hinge" axis="0 0 1"/>${caster}
         </body>
       </body>`;
-  const rider =
-    p.riderMass === undefined
-      ? ''
-      : `<body name="rider"><joint type="hinge" axis="1 0 0"/>${inertial(
-          p.riderMass,
-          [0, 0, p.riderHeight!],
-          [p.riderIxx!, p.riderIyy!, p.riderIzz!],
-        )}</body>`;
+  const rider = p.riderMass === undefined ? '' : riderXml(p as Record<string, number>, inertial, moving);
   const axes = ['1 0 0', '0 1 0', '0 0 1'];
   const hinges = [
     ...axes.map((axis) => `<joint type="slide" axis="${axis}"/>`),
@@ -68,6 +69,18 @@ export function boardXml(p: Readonly<Record<string, number>>, root: RootJoint): 
 </mujoco>`;
 }
 
+type Inertial = (mass: number, pos: readonly number[], diagonal: readonly number[]) => string;
+
+function riderXml(p: Readonly<Record<string, number>>, inertial: Inertial, moving: readonly string[]): string {
+  const across = ABOVE.across * p.hipIzz!;
+  const pos = [0, 0, p.riderHeight!];
+  const lower = [p.riderIxx! - across, p.riderIyy! - across, p.riderIzz! - p.hipIzz!];
+  const slide = moving.includes('crouch') ? '<joint type="slide" axis="0 0 -1"/>' : '';
+  const turn = moving.includes('twist') ? '<joint type="hinge" axis="0 0 1"/>' : '';
+  return `<body name="rider"><joint type="hinge" axis="1 0 0"/>${slide}${inertial((1 - ABOVE.mass) * p.riderMass!, pos, lower)}
+      <body name="torso">${turn}${inertial(ABOVE.mass * p.riderMass!, pos, [across, across, p.hipIzz!])}</body></body>`;
+}
+
 /** The board loaded, with views of its arrays; its states go in and out in our order of coordinates. */
 export class MujocoBoard {
   readonly version: string;
@@ -78,11 +91,14 @@ export class MujocoBoard {
   private readonly qvel: Float64Array;
   private readonly qacc: Float64Array;
   private readonly applied: Float64Array;
-  /** Degrees of freedom: 10, or 11 with a rider. */
+  /** Degrees of freedom: 10, or 11 to 13 with a rider. */
   private readonly count: number;
 
-  private constructor(mujoco: Awaited<ReturnType<typeof loadMujoco>>, xml: string) {
+  private readonly moving: readonly string[];
+
+  private constructor(mujoco: Awaited<ReturnType<typeof loadMujoco>>, xml: string, moving: readonly string[]) {
     this.mujoco = mujoco;
+    this.moving = moving;
     this.version = mujoco.mj_versionString() as string;
     const files = (mujoco as unknown as { FS: { writeFile(name: string, text: string): void } }).FS;
     files.writeFile('/board.xml', xml);
@@ -95,8 +111,13 @@ export class MujocoBoard {
     this.count = this.qvel.length;
   }
 
-  static async load(p: Readonly<Record<string, number>>, root: RootJoint): Promise<MujocoBoard> {
-    return new MujocoBoard(await loadMujoco(), boardXml(p, root));
+  /** @param moving which of the rider's own joints there are */
+  static async load(
+    p: Readonly<Record<string, number>>,
+    root: RootJoint,
+    moving: readonly ('crouch' | 'twist')[] = ['crouch', 'twist'],
+  ): Promise<MujocoBoard> {
+    return new MujocoBoard(await loadMujoco(), boardXml(p, root, moving), moving);
   }
 
   /** Our q as MuJoCo's positions: as many with hinges, one more with a free joint. */
@@ -114,10 +135,16 @@ export class MujocoBoard {
     return own;
   }
 
+  /** Our place of one of MuJoCo's joints beyond the rider's hinge: both there are, or one of them. */
+  private ours(i: number): number {
+    return this.moving.length === 2 ? i : this.moving[0] === 'twist' ? RIDER + 2 : RIDER + 1;
+  }
+
   private placed(x: Float64Array): Float64Array {
     const own = new Float64Array(this.count);
     for (let i = 0; i < n; i++) own[PLACE[i]!] = x[i]!;
     if (this.count > n) own[RIDER] = x[RIDER]! - x[ALPHA]!;
+    for (let i = RIDER + 1; i < this.count; i++) own[i] = x[this.ours(i)]!;
     return own;
   }
 
@@ -128,6 +155,7 @@ export class MujocoBoard {
     // beta = alpha + the hinge's angle: what acts on beta acts on both.
     this.applied[RIDER] = force[RIDER]!;
     this.applied[PLACE[ALPHA]]! += force[RIDER]!;
+    for (let i = RIDER + 1; i < this.count; i++) this.applied[i] = force[this.ours(i)]!;
   }
 
   /** `mj_forward` at MuJoCo's own positions and velocities. */
@@ -146,6 +174,7 @@ export class MujocoBoard {
   acceleration(a: Float64Array): void {
     for (let i = 0; i < n; i++) a[i] = this.qacc[PLACE[i]!]!;
     if (this.count > n) a[RIDER] = this.qacc[RIDER]! + a[ALPHA]!;
+    for (let i = RIDER + 1; i < this.count; i++) a[this.ours(i)] = this.qacc[i]!;
   }
 
   /** What one call into the module costs without any work: to know how much of a time is the border. */

@@ -67,6 +67,7 @@ export class Builder implements Scope {
       shapes: [],
       tracks: [],
       events: [],
+      held: [],
       shown: [],
       speed: null,
       forward: null,

@@ -93,6 +93,8 @@ export interface Model {
   shapes: ShapeModel[];
   tracks: { body: number; label: string }[];
   events: EventModel[];
+  /** Coordinates that are held unless a scenario releases them. */
+  held: string[];
   shown: string[];
   speed: { along: [string, string]; heading: string } | null;
   forward: { along: [string, string]; heading: string } | null;

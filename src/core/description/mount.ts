@@ -60,6 +60,7 @@ function metaOf(model: Model, id: string): SystemMeta {
       };
     }),
     ...(model.loss === model.graph.zero ? {} : { losses: true as const }),
+    ...(model.held.length > 0 ? { held: model.held } : {}),
     ...(model.shown.length > 0 ? { shown: model.shown } : {}),
     ...(model.events.length > 0
       ? { events: model.events.map((event) => ({ id: event.id, label: event.label, sets: event.sets })) }

@@ -68,7 +68,7 @@ function axis(r: Reader): 'x' | 'y' | 'z' {
   return AXES.find((name) => r.take(name)) ?? r.fail('an axis is expected here: x, y or z');
 }
 
-const COORDINATE_WORDS = ['rest', 'first', 'second'];
+const COORDINATE_WORDS = ['rest', 'first', 'second', 'held'];
 const PARAMETER_WORDS = ['positive', 'from', 'to', 'group', 'note'];
 const BODY_WORDS = ['mass', 'inertia', 'at', 'in', 'origin', 'first', 'second'];
 const SHAPES: readonly ShapeKind[] = ['box', 'cylinder', 'sphere', 'disc', 'rod', 'path', 'model'];
@@ -92,9 +92,14 @@ export const statements: Readonly<Record<string, Statement>> = {
       const rest = r.take('=') ? b.constant(r, ...COORDINATE_WORDS) * scale : 0;
       let role: 'neutral' | 'first' | 'second' = 'neutral';
       let text = label(r);
-      words(r, ['first', 'second'], (word) => (role = word as 'first'));
+      let held = false;
+      words(r, ['first', 'second', 'held'], (word) => {
+        if (word === 'held') held = true;
+        else role = word as 'first';
+      });
       text ??= label(r);
       for (const name of names) b.addCoordinate(name, r.line, { unit: unit?.text, rest, label: text, role });
+      if (held) b.model.held.push(...names.map((name) => name.text));
     },
   },
   parameter: {

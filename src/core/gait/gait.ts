@@ -3,6 +3,7 @@
  * is periodic, so a board that pumps settles to a speed; how it gets there is `measureGait.ts`, how cheap it can be
  * `optimiseGait.ts`.
  */
+import { heldOf, holdingOf } from '../scenario/held.ts';
 import type { SystemMeta } from '../model/system.ts';
 import type { ScenarioFile } from '../scenario/types.ts';
 
@@ -102,7 +103,17 @@ export function gaitScenario(meta: SystemMeta, gait: Gait, base: Partial<Scenari
     ...base,
     version: 1,
     system: meta.id,
-    hold: [...new Set([...(base.hold ?? []), ...hold])],
+    ...both(meta, base, hold),
     control: { type: 'track', reference: { [feet[0]]: front, [feet[1]]: back }, ...FEET },
   };
+}
+
+/** What the gait holds beside what the base does, whatever is free there. */
+function both(
+  meta: SystemMeta,
+  base: Partial<ScenarioFile>,
+  hold: readonly string[],
+): Pick<ScenarioFile, 'hold' | 'release'> {
+  const { hold: held = [], release } = holdingOf(meta, [...heldOf(meta, base), ...hold]);
+  return { hold: held, ...(release ? { release } : {}) };
 }

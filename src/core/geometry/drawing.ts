@@ -17,6 +17,8 @@ export interface Wearer {
   model: string;
   /** The mesh's group `wheel` turns about y through `hub` (in the body's frame) by the rolled angle of this contact. */
   spin?: { hub: Vec3; contact: number };
+  /** It is a piece without a name, not a body. */
+  limb?: true;
 }
 
 export interface Stage {
@@ -64,6 +66,8 @@ export function valueOf(meta: SystemMeta, parameters: Readonly<Record<string, nu
 export interface Layout {
   /** Bodies whose mesh has a group `wheel` that turns (see `Wearer`). */
   spins?: Readonly<Record<string, NonNullable<Wearer['spin']>>>;
+  /** Pieces behind the bodies (`SystemView.limbs`), each with a mesh of its name. */
+  limbs?: readonly string[];
   /** How its stage differs from the common one. */
   stage?: Partial<Omit<Stage, 'subject' | 'closeUp'>> & { subject?: string };
 }
@@ -79,16 +83,19 @@ export interface Sketch extends Layout {
  *
  * @param meta of the system
  */
-export function castOf(meta: SystemMeta, { spins, stage }: Layout): Pick<Drawing, 'bodies' | 'stage'> {
+export function castOf(meta: SystemMeta, { spins, stage, limbs = [] }: Layout): Pick<Drawing, 'bodies' | 'stage'> {
   const indexOf = (id: string | undefined): number => meta.bodies.findIndex((body) => body.id === id);
   const { subject, ...own } = stage ?? {};
   const closeUp = indexOf(meta.views?.closeUp);
   const common: Stage = { subject: 0, facing: 'nose', still: false, floor: 0, closeUp: closeUp < 0 ? null : closeUp };
   return {
-    bodies: meta.bodies.map(({ id, role, model }): Wearer => {
-      const spin = spins?.[id];
-      return { id, role, model: model ?? id, ...(spin ? { spin } : {}) };
-    }),
+    bodies: [
+      ...meta.bodies.map(({ id, role, model }): Wearer => {
+        const spin = spins?.[id];
+        return { id, role, model: model ?? id, ...(spin ? { spin } : {}) };
+      }),
+      ...limbs.map((id): Wearer => ({ id, role: 'neutral', model: id, limb: true })),
+    ],
     stage: { ...common, ...own, subject: Math.max(0, indexOf(subject)) },
   };
 }

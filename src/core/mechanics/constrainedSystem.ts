@@ -15,7 +15,7 @@ export type DynamicsFailure = 'mass-matrix-singular' | 'constraint-singular' | '
  * S = Y^T Y = Omega M^-1 Omega^T. One symmetric positive definite solve of order m gives the multipliers
  * (the saddle-point system's Schur complement; Benzi, Golub and Liesen, Acta Numerica 14 (2005), section 5).
  *
- * Where the derivation has written a short way to the accelerations and no coordinate is held, `prepare`, `acceleration` and
+ * Where the derivation has written a short way to the accelerations, and for what is held, `prepare`, `acceleration` and
  * `shift` take it, and fall back on the general one at states where it fails. M, Omega and their factors are then those of
  * the last `evaluate` or `prepareFactors`.
  */
@@ -106,8 +106,9 @@ export class ConstrainedSystem {
     this.gammaFree = new Float64Array(m);
     this.preparedQ = new Float64Array(n);
     this.preparedV = new Float64Array(n);
-    const direct = way === 'shortest' && this.held.length === 0 ? this.constraints?.direct : undefined;
-    this.direct = direct ? new DirectAccelerations(direct, parameters, n, m, forcing) : null;
+    const direct = way === 'shortest' ? this.constraints?.direct : undefined;
+    const short = direct && this.held.every((i) => direct.holdable?.includes(i));
+    this.direct = short ? new DirectAccelerations(direct, parameters, n, m, forcing, this.held) : null;
   }
 
   /** Whether the acceleration has exact derivatives here. */

@@ -17,6 +17,8 @@ export class DirectAccelerations {
   readonly forced: boolean;
   /** What `prepare` makes of the parameters. */
   readonly constants: Float64Array;
+  /** The parameters, then what of the holdable coordinates is held. */
+  private readonly given: Float64Array;
   private readonly force: Float64Array;
   private readonly factors: Float64Array;
   /** [q, v] of the state last evaluated, with both halves as arrays of their own for those who act from outside. */
@@ -29,13 +31,23 @@ export class DirectAccelerations {
   /**
    * @param n coordinates
    * @param m constraint rows
+   * @param held indices of coordinates, all of them holdable
    */
-  constructor(direct: DirectDynamics, parameters: Float64Array, n: number, m: number, forcing: Forcing | null) {
+  constructor(
+    direct: DirectDynamics,
+    parameters: Float64Array,
+    n: number,
+    m: number,
+    forcing: Forcing | null,
+    held: readonly number[] = [],
+  ) {
     this.direct = direct;
     this.parameters = parameters;
     this.forcing = forcing;
     this.forced = forcing !== null || (direct.optional?.active(parameters) ?? false);
     this.constants = new Float64Array(direct.constantCount);
+    const flags = (direct.holdable ?? []).map((i) => (held.includes(i) ? 1 : 0));
+    this.given = Float64Array.from([...parameters, ...flags]);
     this.renew();
     this.force = new Float64Array(n);
     this.factors = new Float64Array(direct.factorCount);
@@ -48,7 +60,8 @@ export class DirectAccelerations {
 
   /** The parameters' values have changed. */
   renew(): void {
-    this.direct.prepare(this.parameters, this.constants);
+    this.given.set(this.parameters);
+    this.direct.prepare(this.given, this.constants);
   }
 
   /** Whether q and v are the state last evaluated: the determinant is theirs. */

@@ -138,6 +138,7 @@ function directDynamics(
   if (!direct?.[`${id}Accelerations`]) return {};
   const written = {
     constantCount: direct['constantCount'],
+    ...(direct['holdable'] ? { holdable: direct['holdable'] } : {}),
     factorCount: direct[`${id}FactorCount`],
     prepare: direct['prepare'],
     accelerations: direct[`${id}Accelerations`],

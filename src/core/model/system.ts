@@ -47,6 +47,8 @@ export interface ParameterMeta {
   max?: number;
   /** Strictly greater than zero. */
   positive?: boolean;
+  /** At most another parameter, a part of which it is, where a coordinate is free. */
+  partOf?: { parameter: string; free: string };
   group: string;
   note?: string;
   /** Where the default comes from. */
@@ -135,6 +137,8 @@ export interface DirectDynamics {
   /** The same as data, for another engine. */
   readonly tape?: Tape;
   readonly constantCount: number;
+  /** Coordinates that may be held: `prepare` takes a 1 for each that is and a 0 for each that is free after the parameters. */
+  readonly holdable?: readonly number[];
   /** What the accelerations leave for `shift`; the last is 1 / det of S = Omega M^-1 Omega^T scaled to a unit diagonal. */
   readonly factorCount: number;
   prepare(p: Float64Array, c: Float64Array): void;
@@ -211,6 +215,8 @@ export interface SystemMeta {
   regulators?: readonly string[];
   /** Feet that pump: the inputs whose targets a gait gives (front, back), the parameter that is each wheel's drag (N·s/m), what a rider holds still meanwhile. */
   gait?: { feet: readonly [string, string]; drag?: string; hold?: readonly string[] };
+  /** Coordinates that are held unless a scenario releases them (`scenario/held.ts`). */
+  held?: readonly string[];
   /** A system whose drawing has one body more, somebody who stands upright on this one, with the centre of mass so high above body 0 (m). */
   rider?: { drawnAs: string; height: number };
   /** The group of parameters that somebody's height and mass give (`systems/ripstik-rider/person.ts`). */
@@ -274,6 +280,8 @@ export interface SystemView {
   meta: SystemMeta;
   /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
   poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
+  /** Pieces that are drawn and have no mass, in a body's care: their poses stand behind the bodies' and follow from those. */
+  limbs?: { ids: readonly string[]; body: string; place(p: Float64Array, poses: Float64Array): void };
   /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
   contacts: readonly TrackedContact[];
   /** Points whose paths are drawn; the contacts' where it is absent. */

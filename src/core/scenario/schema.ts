@@ -14,6 +14,7 @@ import {
   MOST_ROWS,
   MOST_SCHEDULED,
 } from './defaults.ts';
+import { heldOf } from './held.ts';
 import { checkRide } from './ride.ts';
 import { jsonFault, placeIn } from './json.ts';
 import { descriptionIn, isOwn, ownId } from './own.ts';
@@ -38,6 +39,7 @@ const KEYS = [
   'parameters',
   'constraints',
   'hold',
+  'release',
   'initial',
   'inputs',
   'control',
@@ -155,14 +157,17 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
     const known = c.oneOf(`events.${name}`, action, ['stop', 'ignore']);
     if (known) events[name] = known as 'stop' | 'ignore';
   }
+  const parameters = checkParameters(c, file.get('parameters'), meta, set);
+  const holding = checkHeld(c, file, meta, coordinates);
+  checkParts(c, parameters, meta, holding.hold);
   return {
     version: 1,
     system: id,
     ...(meta.description === undefined ? {} : { description: meta.description }),
     parameterSet: set,
-    parameters: checkParameters(c, file.get('parameters'), meta, set),
+    parameters,
     constraints,
-    hold: c.names('hold', file.get('hold'), coordinates),
+    ...holding,
     initial: statesOf(c, 'initial', file.get('initial'), meta, points),
     inputs: expressions(c, 'inputs', file.get('inputs'), inputs),
     control: checkControl(c, file.get('control'), meta, { states, points, inputs }),
@@ -173,6 +178,25 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
     events,
     columns: c.names('columns', file.get('columns'), COLUMN_NAMES),
   };
+}
+
+/** Held coordinates, those by default among them; `release` stays where there is one, so that it reads the same again. */
+function checkHeld(
+  c: Checker,
+  file: ReadonlyMap<string, unknown>,
+  meta: SystemMeta,
+  coordinates: readonly string[],
+): Pick<Scenario, 'hold' | 'release'> {
+  const { held = [] } = meta;
+  const raw = file.get('release');
+  if (raw !== undefined && held.length === 0)
+    c.add('release', `${meta.id} holds nothing by default: leave it out, and name in "hold" what stays where it is`);
+  const release = held.length > 0 ? c.names('release', raw, held) : [];
+  const hold = file.get('hold') === undefined ? undefined : c.names('hold', file.get('hold'), coordinates);
+  release.forEach((name, i) => {
+    if (hold?.includes(name)) c.add(`release[${i}]`, `"${name}" is in "hold" too; leave it out of one of them`);
+  });
+  return { hold: heldOf(meta, { hold, release }), ...(release.length > 0 ? { release } : {}) };
 }
 
 function optional(
@@ -245,6 +269,23 @@ function checkParameters(c: Checker, raw: unknown, meta: SystemMeta, set: string
     if (c.number(`parameters.${p.name}`, value, rule) !== undefined) values[p.name] = value;
   }
   return values;
+}
+
+/** A part of a body is no more than the whole where it moves against the rest. */
+function checkParts(
+  c: Checker,
+  values: Readonly<Record<string, number>>,
+  meta: SystemMeta,
+  hold: readonly string[],
+): void {
+  for (const { name, unit, partOf } of meta.parameters) {
+    if (!partOf || hold.includes(partOf.free) || values[name]! <= values[partOf.parameter]!) continue;
+    const most = `${partOf.parameter} (${values[partOf.parameter]} ${unit})`;
+    c.add(
+      `parameters.${name}`,
+      `${values[name]} ${unit} is more than ${most}, a part of which it is while ${partOf.free} is free`,
+    );
+  }
 }
 
 function checkMethod(c: Checker, raw: unknown): MethodOptions {

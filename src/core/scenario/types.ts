@@ -118,6 +118,8 @@ export interface ScenarioFile {
   parameters?: Record<string, NumberOrExpression>;
   constraints?: string;
   hold?: string[];
+  /** Of the coordinates that the system holds by default, those that are free. */
+  release?: string[];
   initial?: Record<string, NumberOrExpression>;
   inputs?: Record<string, NumberOrExpression>;
   control?: LqrControl | TrackControl | RideControl;
@@ -139,7 +141,9 @@ export interface Scenario {
   /** Every parameter of the system, SI. */
   parameters: Record<string, number>;
   constraints: string;
+  /** Everything that is held, by default too. */
   hold: string[];
+  release?: string[];
   /** Only what was named. */
   initial: Record<string, number>;
   inputs: Record<string, NumberOrExpression>;

@@ -160,10 +160,11 @@ export class Simulation {
       formulation !== MULTIPLIERS
     )
       return false;
-    if (scenario.hold.length > 0 || frameOf(scenario) !== frameOf(this.scenario)) return false;
+    if ((scenario.hold.length > 0 && !dynamics.direct) || frameOf(scenario) !== frameOf(this.scenario)) return false;
     const values = system.meta.parameters.map((p) => scenario.parameters[p.name]!);
     if (!dynamics.renew(values) || !rowDynamics.renew(values)) return false;
-    const start = consistentStart(system, dynamics.parameters, scenario.constraints, [], scenario.initial, rowDynamics);
+    const { parameters, held } = dynamics;
+    const start = consistentStart(system, parameters, scenario.constraints, held, scenario.initial, rowDynamics);
     rowDynamics.forget();
     this.scenario = scenario;
     this.adjustments = start.adjustments;

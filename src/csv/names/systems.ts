@@ -7,6 +7,8 @@ export interface Candidate {
   id: string;
   meta: SystemMeta;
   hits: readonly (Hit | null)[];
+  /** Coordinates that are there, and those that have to be and are not. */
+  present: number;
   missing: readonly string[];
 }
 
@@ -32,11 +34,9 @@ export function fitSystem(
 ): Fit {
   const exact = new Set(titles.map((t) => /^[^[({]*/.exec(t ?? '')![0].trim()));
   const candidates = Object.entries(systems).map(([id, meta]) => candidate(id, meta, titles, chosen, attitude));
-  const rank = ({ id, meta }: Candidate): number =>
-    (id === preferred ? 1e6 : 0) +
-    1e3 * meta.coordinates.length +
-    meta.coordinates.filter((q) => exact.has(q.name)).length;
-  const present = (c: Candidate): number => c.meta.coordinates.length - c.missing.length;
+  const rank = ({ id, meta, present }: Candidate): number =>
+    (id === preferred ? 1e6 : 0) + 1e3 * present + meta.coordinates.filter((q) => exact.has(q.name)).length;
+  const present = (c: Candidate): number => c.present;
   const share = (c: Candidate): number => c.missing.length / c.meta.coordinates.length;
   const fitting = candidates.filter((c) => c.missing.length === 0).sort((a, b) => rank(b) - rank(a))[0];
   // A board with one column missing is not a sleigh, though it has x, y and theta.
@@ -73,11 +73,14 @@ export function candidate(
   }
   const there = new Set(hits.map((hit) => hit?.word.name));
   const made = attitude ? Object.values(attitudeOf(meta) ?? {}) : [];
+  const away = meta.coordinates.map((q) => q.name).filter((name) => !there.has(name) && !made.includes(name));
   return {
     id,
     meta,
     hits,
-    missing: meta.coordinates.map((q) => q.name).filter((name) => !there.has(name) && !made.includes(name)),
+    present: meta.coordinates.length - away.length,
+    // What is held by default stands still where a file does not name it.
+    missing: away.filter((name) => !meta.held?.includes(name)),
   };
 }
 

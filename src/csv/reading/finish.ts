@@ -1,3 +1,4 @@
+import { withHeld } from '../../core/motion/heldColumns.ts';
 import type { SystemMeta } from '../../core/model/system.ts';
 import { attitudeOf } from '../names/vocabulary.ts';
 import type { ImportChoices, ImportPlan, Question, TimeForm } from '../plan.ts';
@@ -40,6 +41,11 @@ export function finishMotion(
   let data = store.columns();
   if (system && plan.columns.some((c) => c.role === 'attitude'))
     [columns, data] = withAngles(columns, data, system, plan.euler);
+  if (system?.held) {
+    const completed = withHeld(system, columns, data);
+    [columns, data] = [completed.names, completed.data];
+    if (completed.added.length > 0) notes.push(`${completed.added.join(', ')}: not in the file, so held at 0`);
+  }
   // A computed angle is what it is; a recorded one may be within a turn.
   if (scenario === null) unwrapped(columns, data, plan, system, notes);
   if (system && plan.rates === 'savitzky-golay') [columns, data] = withRates(columns, data, system, notes);

@@ -18,11 +18,12 @@ export function analysedPart({
   parameters,
   constraints,
   hold,
+  release,
   control,
   at,
 }: ScenarioFile): ScenarioFile {
   const lqr = control?.type === 'lqr' ? { control } : at === undefined ? {} : { at };
-  const all = { parameterSet, parameters, constraints, hold, ...lqr };
+  const all = { parameterSet, parameters, constraints, hold, release, ...lqr };
   return {
     version,
     system,

@@ -1,4 +1,5 @@
 /** Angles that start a whole turn or more from the regulator's point, with the same attitude at a press. */
+import { heldOf } from '../../core/scenario/held.ts';
 import { MathSymbol } from '../../charts/textView.tsx';
 import type { SystemMeta } from '../../core/model/system.ts';
 import type { LqrControl, ScenarioFile } from '../../core/scenario/types.ts';
@@ -18,8 +19,9 @@ interface Away {
 
 /** By the numbers written; held coordinates stay where they are. */
 export function anglesAway(meta: SystemMeta, draft: ScenarioFile, control: LqrControl): Away[] {
+  const held = heldOf(meta, draft);
   return meta.coordinates
-    .filter(({ kind, name }) => kind === 'angle' && !draft.hold?.includes(name))
+    .filter(({ kind, name }) => kind === 'angle' && !held.includes(name))
     .flatMap(({ name, symbol, label, rest = 0 }) => {
       const start = numberOf(draft.initial?.[name], rest);
       const turns = turnsBetween(start - numberOf(control.at?.[name], rest));

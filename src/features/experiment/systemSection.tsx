@@ -1,3 +1,4 @@
+import { heldOf, holdingOf } from '../../core/scenario/held.ts';
 import { useId } from 'preact/hooks';
 import { edit, useUi } from '../../ui/context.ts';
 import { Choice, Section, Toggle } from '../../ui/kit/controls.tsx';
@@ -61,10 +62,11 @@ export function SystemSection() {
     );
   const sets = system.meta.constraintSets;
   const chosen = sets.find((set) => set.id === (draft.constraints ?? sets[0]!.id));
-  const held = draft.hold ?? [];
+  const held = heldOf(system.meta, draft);
   const hold = (name: string) => {
     const order = system.meta.coordinates.map((c) => c.name).filter((n) => (n === name) !== held.includes(n));
-    edit(ui, words.hold, (now) => withKey(now, 'hold', order.length > 0 ? order : undefined));
+    const { hold, release } = holdingOf(system.meta, order);
+    edit(ui, words.hold, (now) => withKey(withKey(now, 'hold', hold), 'release', release));
   };
   return (
     <Section title={words.system} open>
@@ -103,7 +105,7 @@ export function SystemSection() {
               </Toggle>
             ))}
           </span>
-          {errors.get('hold') && <span class="error">{errors.get('hold')}</span>}
+          {['hold', 'release'].map((key) => errors.get(key) && <span class="error">{errors.get(key)}</span>)}
         </div>
       )}
       <Title />

@@ -20,12 +20,14 @@ export function carriedOver(draft: ScenarioFile, meta: SystemMeta): ScenarioFile
   const states = new Set([...coordinates, ...rates, ...(meta.speed ? [meta.speed.name] : [])]);
   const { version, duration, outputStep, method, columns } = draft;
   const hold = draft.hold?.filter((name) => coordinates.has(name));
+  const released = draft.release?.filter((name) => meta.held?.includes(name));
   const constraints = meta.constraintSets.some(({ id }) => id === draft.constraints) ? draft.constraints : undefined;
   const parts = {
     initial: only(draft.initial, states),
     parameters: only(draft.parameters, new Set(meta.parameters.map(({ name }) => name))),
     inputs: only(draft.inputs, new Set(meta.inputs.map(({ name }) => name))),
     hold: hold && hold.length > 0 ? hold : undefined,
+    release: released && released.length > 0 ? released : undefined,
     constraints,
     control: draft.control,
     at: only(draft.at, states),
@@ -46,8 +48,8 @@ export function carriedOver(draft: ScenarioFile, meta: SystemMeta): ScenarioFile
   const tries = [
     without(),
     without('control'),
-    without('control', 'at', 'inputs', 'hold', 'constraints'),
-    without('control', 'at', 'inputs', 'hold', 'constraints', 'initial', 'parameters', 'events'),
+    without('control', 'at', 'inputs', 'hold', 'release', 'constraints'),
+    without('control', 'at', 'inputs', 'hold', 'release', 'constraints', 'initial', 'parameters', 'events'),
   ];
   return tries.find((file) => isFine(file, meta)) ?? { version, system: meta.id };
 }

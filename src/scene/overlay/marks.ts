@@ -74,8 +74,8 @@ export class Marks {
     }
     this.names.forEach((word, i) => {
       const corners = bodies.shows(i) ? bodies.corners(i) : [];
-      if (corners.length === 0) return word.hide();
-      const model = bodies.modelOf(i)!;
+      const model = bodies.modelOf(i);
+      if (corners.length === 0 || !model || model.label === '') return word.hide();
       word.write(model.label ?? model.id, this.palette, this.palette.role[model.role]);
       const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
       for (const corner of corners) {
@@ -86,7 +86,7 @@ export class Marks {
     });
     this.triads.forEach((line, i) => {
       const matrix = bodies.matrix(i);
-      line.visible = matrix !== null && bodies.shows(i);
+      line.visible = matrix !== null && bodies.shows(i) && bodies.modelOf(i)?.label !== '';
       if (!line.visible) return;
       line.matrix.copy(matrix!).scale(place.setScalar(AXIS * size));
       line.matrixWorldNeedsUpdate = true;

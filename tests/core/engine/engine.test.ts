@@ -43,13 +43,15 @@ describe('accelerations in WebAssembly', () => {
       (x) => system.meta.parameterSets[parameterSet]![x.name] ?? x.default,
     );
     const c = new Float64Array(direct.constantCount);
-    direct.prepare(p, c);
-    memory.set(c, layout.constants);
+    const known = (direct.holdable ?? []).length;
     const [y, f, rate] = [new Float64Array(2 * n), new Float64Array(n), new Float64Array(2 * n)];
     const [lambda, factors] = [new Float64Array(set.rows), new Float64Array(direct.factorCount)];
     const [at, to] = [layout.steps, layout.steps + layout.place];
     const part = (from: number, length: number): Float64Array => memory.slice(from, from + length);
     for (let state = 0; state < STATES; state++) {
+      // What may be held is, or is not.
+      direct.prepare(Float64Array.from([...p, ...Array.from({ length: known }, (_, k) => (state >> (k + 1)) & 1)]), c);
+      memory.set(c, layout.constants);
       // Ever larger angles: every quadrant, and ranges that lose digits.
       const size = state % 4 === 3 ? 1e3 : 2;
       for (let i = 0; i < 2 * n; i++) y[i] = size * (2 * random() - 1);
@@ -75,6 +77,11 @@ const falling: ScenarioFile = {
   initial: { X_dot: 1, alpha: '0.5 deg' },
   duration: 3,
 };
+const moving: ScenarioFile = {
+  ...falling,
+  system: 'ripstik-rider',
+  initial: { X_dot: 1, beta: '1 deg', crouch: 0.05, twist: 0.3, twist_dot: 1 },
+};
 const runs: Record<string, ScenarioFile> = {
   'the falling board, which touches down': falling,
   'to the end, corners ignored': { ...falling, events: { touchdown: 'ignore' }, duration: 1.5 },
@@ -92,6 +99,14 @@ const runs: Record<string, ScenarioFile> = {
     duration: 1,
   },
   'the bicycle': { version: 1, system: 'bicycle', duration: 2 },
+  'a rider whose body is held': { ...falling, system: 'ripstik-rider', duration: 0.5 },
+  'a rider whose body moves': { ...moving, release: ['crouch', 'twist'], duration: 0.5 },
+  'a rider who crouches by a force': {
+    ...moving,
+    release: ['crouch'],
+    inputs: { f_crouch: '200*sin(5*t)' },
+    duration: 0.5,
+  },
 };
 
 function resultOf(file: ScenarioFile, engine: 'wasm' | 'typescript') {

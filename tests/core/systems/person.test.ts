@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bodyOf, riderOf } from '../../../src/core/systems/ripstik-rider/person.ts';
+import { bodyOf, crouchOf, riderOf } from '../../../src/core/systems/ripstik-rider/person.ts';
 
 /** Distance from the middle to a foot of somebody who stands at ease, m. */
 const AT_EASE = 0.09;
@@ -28,6 +28,22 @@ describe('a rider by height and mass', () => {
     two.inertia.forEach((moment, i) => expect(moment / one.inertia[i]!).toBeCloseTo(4, 12));
     const heavy = bodyOf({ height: 1.5, mass: 100 }, 0.4, 0.15);
     expect(heavy.inertia[0] / one.inertia[0]).toBeCloseTo(2, 12);
+  });
+
+  it('has a good half of the inertia about the vertical in hips and above, feet together, whatever the legs do', () => {
+    const person = { height: 1.75, mass: 75 };
+    const { inertia, hips } = bodyOf(person, 0, AT_EASE);
+    expect(hips / inertia[2]).toBeGreaterThan(0.5);
+    expect(hips / inertia[2]).toBeLessThan(0.8);
+    expect(bodyOf(person, 1, 0.3).hips).toBeCloseTo(hips, 9);
+    expect(riderOf(person)['hipIzz']).toBeCloseTo(hips, 3);
+  });
+
+  it('crouches by 28 to 30 % of the height of the centre of mass', () => {
+    const person = { height: 1.75, mass: 75 };
+    const share = crouchOf(person) / riderOf(person)['riderHeight']!;
+    expect(share).toBeGreaterThan(0.28);
+    expect(share).toBeLessThan(0.3);
   });
 
   it('stands lower on a board than upright, near the default rider', () => {

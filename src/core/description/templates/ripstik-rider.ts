@@ -11,6 +11,8 @@ coordinate alpha_bp [rad] "back plate roll on the rod" second
 coordinate theta_fc [rad] "front caster steer" first
 coordinate theta_bc [rad] "back caster steer" second
 coordinate beta [rad] "rider’s lean"
+coordinate crouch [m] "rider’s crouch" held
+coordinate twist [rad] "twist of the hips" held
 
 parameter rodMass [kg] = 2 from 0 "rod mass" group "Rod"
 parameter rodLength [m] = 0.25 from 0 "rod length" group "Rod"
@@ -39,6 +41,11 @@ parameter riderIyy [kg·m²] = 8.5 from 0 "rider’s inertia in pitch" group "Ri
 parameter riderIzz [kg·m²] = 1.2 from 0 "rider’s inertia in yaw" group "Rider"
 parameter ankleStiffness [N·m/rad] = 600 from 0 "stiffness of each ankle" group "Ankles"
 parameter ankleDamping [N·m·s/rad] = 20 from 0 "damping of each ankle" group "Ankles"
+parameter hipIzz [kg·m²] = 0.6 positive "hips and above: their part of the inertia in yaw" group "Legs and hips"
+parameter legStiffness [N/m] = 4000 from 0 "stiffness of the legs" group "Legs and hips"
+parameter legDamping [N·s/m] = 500 from 0 "damping of the legs" group "Legs and hips"
+parameter hipStiffness [N·m/rad] = 40 from 0 "stiffness of the hips" group "Legs and hips"
+parameter hipDamping [N·m·s/rad] = 3 from 0 "damping of the hips" group "Legs and hips"
 preset street casterTrail = 0.04
 preset authors casterTrail = -0.04
 
@@ -69,13 +76,23 @@ body back_plate mass plateMass inertia (J_x, J_y, J_z) at back "back plate" seco
 body front_caster mass casterMass inertia (J_c/4, J_c/2, J_c/4) at front_skate "front caster" first
 body back_caster mass casterMass inertia (J_c/4, J_c/2, J_c/4) at back_skate "back caster" second
 
-# The rider leans about the axis of the pitched frame, his own roll beta.
+# The rider leans about the axis of the pitched frame, his own roll beta; the centre of mass goes down along the body. Hips and
+# above turn about that axis as a disc in it, a part of the whole.
 frame rider = pitched turned x beta
-body rider mass riderMass inertia (riderIxx, riderIyy, riderIzz) at centre + rider(0, 0, riderHeight)
+frame torso = rider turned z twist
+point middle = centre + rider(0, 0, riderHeight - crouch)
+body rider mass riderMass inertia (riderIxx - hipIzz/2, riderIyy - hipIzz/2, riderIzz - hipIzz) at middle
+body torso inertia (hipIzz/2, hipIzz/2, hipIzz) at middle "hips and above"
 spring ankleStiffness on alpha + alpha_fp - beta
 spring ankleStiffness on alpha + alpha_bp - beta
 damper ankleDamping on alpha + alpha_fp - beta
 damper ankleDamping on alpha + alpha_bp - beta
+# Where crouch is 0 the legs carry the weight.
+potential riderMass gravity crouch
+spring legStiffness on crouch
+damper legDamping on crouch
+spring hipStiffness on twist
+damper hipDamping on twist
 
 spring torsionStiffness on alpha_fp - alpha_bp
 damper torsionDamping on alpha_fp - alpha_bp
@@ -108,9 +125,12 @@ input tau_bp [N·m] on alpha + alpha_bp "foot torque on the back plate" tracks a
 input tau_twist [N·m] on alpha_fp - alpha_bp "torque between the plates" tracks alpha_fp
 input tau_fc [N·m] on theta_fc "front steering motor" tracks theta_fc
 input tau_bc [N·m] on theta_bc "back steering motor" tracks theta_bc
+input f_crouch [N] on crouch "force of the legs, down" tracks crouch
+input tau_twist_rider [N·m] on twist "torque of the hips" tracks twist
 
 shape rider sphere 0.12
 shape rider rod 0.05, riderHeight along z at (0, 0, -riderHeight/2)
+shape torso rod 0.06, 0.5 along y at (0, 0, 0.3)
 shape rod rod rodRadius, rodLength
 shape front_plate box (plateLength, plateWidth, plateThickness)
 shape back_plate box (plateLength, plateWidth, plateThickness)

@@ -4,6 +4,7 @@ import type { Triangle } from '../../geometry/shapes.ts';
 import type { Vec3 } from '../../geometry/vectors.ts';
 import type { Part } from '../../geometry/wavefront.ts';
 import { draw as drawBoard } from '../ripstik/drawing.ts';
+import { type Figure, figureOf, LIMBS } from './figure.ts';
 
 /**
  * The board, and on it a rider: the shoes are fast on the plates and turn with them under the ankles, which stay where they are
@@ -14,9 +15,10 @@ import { draw as drawBoard } from '../ripstik/drawing.ts';
 export function draw(p: Value): Sketch {
   const board = drawBoard(p);
   const [height, thickness] = [sizeOf(p('riderHeight', 0.9)), sizeOf(p('plateThickness'))];
+  const { scale } = figureOf(height, 1, thickness);
   const shod = (name: 'front-plate' | 'back-plate') => {
     const plate = board.bodies[name]!;
-    return { ...plate, parts: [...plate.parts, shoe(height, thickness)] };
+    return { ...plate, parts: [...plate.parts, shoe(scale, thickness)] };
   };
   return {
     ...board,
@@ -24,26 +26,16 @@ export function draw(p: Value): Sketch {
       ...board.bodies,
       'front-plate': shod('front-plate'),
       'back-plate': shod('back-plate'),
-      rider: {
-        about: 'Rider: origin at the centre of mass, x forward along the board, z up along the body.',
-        parts: riderParts(height, sizeOf(p('plateOffset', 0.26)), thickness),
-      },
+      ...riderBodies(figureOf(height, sizeOf(p('plateOffset', 0.26)), thickness)),
     },
+    limbs: LIMBS,
   };
 }
 
 const both = (make: (side: 1 | -1) => Triangle[]): Triangle[] => [...make(1), ...make(-1)];
 
-/** Height of the centre of mass over the soles (m) at which the measures below are in metres. */
-const MEASURED_AT = 0.875;
-
-/** Metres in a measured metre. */
-const scaleOf = (height: number, thickness: number): number =>
-  Math.max(height - thickness / 2, 0.1 * height) / MEASURED_AT;
-
-/** On the top of a plate, heel to the left and toes to the right, in the plate's axes. */
-function shoe(height: number, thickness: number): Part {
-  const k = scaleOf(height, thickness);
+/** On the top of a plate, heel to the left and toes to the right, in the plate's axes; k metres a measured metre. */
+function shoe(k: number, thickness: number): Part {
   const at = (y: number, z: number): Vec3 => [0, k * y, thickness / 2 + k * z];
   const [heel, toe, ankle] = [at(0.06, 0.042), at(-0.11, 0.034), at(0.03, 0.085)];
   return {
@@ -58,31 +50,35 @@ function shoe(height: number, thickness: number): Part {
   };
 }
 
-/**
- * A figure of tubes and balls that stands sideways, left foot ahead and chest to the right, and looks ahead.
- *
- * @param height of the centre of mass above the rod's centre (m)
- * @param stance from the middle to each foot (m)
- * @param thickness of the plates (m)
- */
-function riderParts(height: number, stance: number, thickness: number): Part[] {
-  const sole = thickness / 2 - height;
-  const k = scaleOf(height, thickness);
+/** A figure of tubes and balls that stands sideways, left foot ahead and chest to the right, and looks ahead. */
+function riderBodies({ scale: k, sole, thigh, shank }: Figure): Sketch['bodies'] {
   /** Point with y to the back of the body and z above the soles, as measured. */
   const at = (x: number, y: number, z: number): Vec3 => [k * x, k * y, sole + k * z];
-  const ahead = (side: number, share: number): number => (side * share * stance) / k;
   const limb = (points: readonly Vec3[], from: number, to: number): Triangle[] =>
     points.slice(1).flatMap((point, i) => {
       const thick = (j: number): number => k * (from + ((to - from) * j) / (points.length - 1));
       return [...tube(points[i]!, point, thick(i), 12, thick(i + 1)), ...ball(point, thick(i + 1), 10)];
     });
-  const leg = (side: 1 | -1): Triangle[] => {
-    const hip = at(0.09 * side, 0.09, 0.79);
-    return [
-      ...ball(hip, k * 0.085, 12),
-      ...limb([hip, at(ahead(side, 0.92), -0.13, 0.43), at(ahead(side, 1), 0.03, 0.09)], 0.082, 0.045),
-    ];
-  };
+  const piece = (length: number, from: number, to: number, joint: number) => ({
+    about: 'A piece of a leg: origin at its upper end, z from the lower end to the upper one.',
+    parts: [
+      {
+        group: 'rider',
+        material: 'cloth' as const,
+        triangles: [
+          ...ball([0, 0, 0], k * joint, 12),
+          ...limb(
+            [
+              [0, 0, 0],
+              [0, 0, -length],
+            ],
+            from,
+            to,
+          ),
+        ],
+      },
+    ],
+  });
   const arm = (side: 1 | -1): Triangle[] => {
     const shoulder = at(0.18 * side, -0.02, 1.27);
     return [
@@ -91,27 +87,42 @@ function riderParts(height: number, stance: number, thickness: number): Part[] {
     ];
   };
   const [pelvis, chest] = [at(0, 0.08, 0.84), at(0, -0.01, 1.2)];
-  return [
-    {
-      group: 'rider',
-      material: 'cloth',
-      triangles: [
-        ...tube(pelvis, chest, k * 0.115, 22, k * 0.14),
-        ...ball(pelvis, k * 0.125, 18),
-        ...ball(chest, k * 0.145, 18),
-        ...tube(at(-0.16, -0.02, 1.265), at(0.16, -0.02, 1.265), k * 0.065, 16),
-        ...both(leg),
-        ...both(arm),
+  const upper = piece(thigh, 0.082, 0.0635, 0.085);
+  const lower = piece(shank, 0.0635, 0.045, 0.0635);
+  return {
+    rider: {
+      about: 'Rider: origin at the centre of mass, x forward along the board, z up along the body.',
+      parts: [{ group: 'rider', material: 'cloth', triangles: ball(at(0, 0.06, 0.8), k * 0.1, 14) }],
+    },
+    torso: {
+      about:
+        'Hips and above: origin at the centre of mass, x forward, z up along the body, where the hips are not turned.',
+      parts: [
+        {
+          group: 'rider',
+          material: 'cloth',
+          triangles: [
+            ...tube(pelvis, chest, k * 0.115, 22, k * 0.14),
+            ...ball(pelvis, k * 0.125, 18),
+            ...ball(chest, k * 0.145, 18),
+            ...tube(at(-0.16, -0.02, 1.265), at(0.16, -0.02, 1.265), k * 0.065, 16),
+            ...both(arm),
+          ],
+        },
+        {
+          group: 'head',
+          material: 'paint',
+          triangles: [
+            ...tube(at(0, -0.02, 1.28), at(0.01, -0.04, 1.42), k * 0.05),
+            ...ball(at(0.015, -0.045, 1.5), k * 0.108, 20),
+            ...ball(at(0.122, -0.05, 1.49), k * 0.02, 8),
+          ],
+        },
       ],
     },
-    {
-      group: 'head',
-      material: 'paint',
-      triangles: [
-        ...tube(at(0, -0.02, 1.28), at(0.01, -0.04, 1.42), k * 0.05),
-        ...ball(at(0.015, -0.045, 1.5), k * 0.108, 20),
-        ...ball(at(0.122, -0.05, 1.49), k * 0.02, 8),
-      ],
-    },
-  ];
+    'front-thigh': upper,
+    'front-shank': lower,
+    'back-thigh': upper,
+    'back-shank': lower,
+  };
 }

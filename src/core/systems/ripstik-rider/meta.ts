@@ -4,11 +4,22 @@ import { ripstikMeta } from '../ripstik/meta.ts';
 const body = 'a grown person with bent knees, rounded';
 const ankle = 'stiff ankles of a standing person, rounded';
 
+const passive = <N extends string>(name: N, symbol: string, label: string, unit: string, byDefault: number) => ({
+  name,
+  symbol,
+  label,
+  unit,
+  default: byDefault,
+  min: 0,
+  group: 'Legs and hips',
+  source: 'chosen: what relaxed legs and hips do, little damped',
+});
+
 // Lean is measured in the pitched frame, not from the rod, so the charts that carry a free board past pitch ±90° do not
 // apply; and files without a header row are the board's.
 const { attitude: _attitude, headerless: _headerless, rider: _rider, ...board } = ripstikMeta;
 
-/** The board and a rider who leans by `beta` on it: six bodies, eleven coordinates, four multipliers. */
+/** The board and a rider who leans by `beta` on it, and may crouch and twist: seven bodies, thirteen coordinates, four multipliers. */
 export const ripstikRiderMeta = {
   ...board,
   id: 'ripstik-rider',
@@ -17,6 +28,8 @@ export const ripstikRiderMeta = {
   coordinates: [
     ...board.coordinates,
     { name: 'beta', symbol: 'β', label: 'rider’s lean', kind: 'angle', role: 'neutral' },
+    { name: 'crouch', symbol: 'κ', label: 'rider’s crouch', kind: 'length', role: 'neutral' },
+    { name: 'twist', symbol: 'ζ', label: 'twist of the hips', kind: 'angle', role: 'neutral' },
   ],
   parameters: [
     ...board.parameters,
@@ -90,6 +103,21 @@ export const ripstikRiderMeta = {
       group: 'Ankles',
       source: ankle,
     },
+    {
+      name: 'hipIzz',
+      symbol: 'I_h',
+      label: 'hips and above: their part of the inertia in yaw',
+      unit: 'kg·m²',
+      default: 0.6,
+      positive: true,
+      partOf: { parameter: 'riderIzz', free: 'twist' },
+      group: 'Legs and hips',
+      source: 'trunk, head and arms of a grown person, rounded',
+    },
+    passive('legStiffness', 'k_l', 'stiffness of the legs', 'N/m', 4000),
+    passive('legDamping', 'c_l', 'damping of the legs', 'N·s/m', 500),
+    passive('hipStiffness', 'k_h', 'stiffness of the hips', 'N·m/rad', 40),
+    passive('hipDamping', 'c_h', 'damping of the hips', 'N·m·s/rad', 3),
   ],
   inputs: [
     {
@@ -109,9 +137,30 @@ export const ripstikRiderMeta = {
       tracks: ['alpha', 'alpha_bp'],
     },
     ...board.inputs,
+    {
+      name: 'f_crouch',
+      symbol: 'f_κ',
+      label: 'force of the legs, down',
+      unit: 'N',
+      column: { crouch: 1 },
+      tracks: ['crouch'],
+    },
+    {
+      name: 'tau_twist_rider',
+      symbol: 'τ_ζ',
+      label: 'torque of the hips',
+      unit: 'N·m',
+      column: { twist: 1 },
+      tracks: ['twist'],
+    },
   ],
+  held: ['crouch', 'twist'],
   gait: { feet: ['tau_af', 'tau_ab'], drag: 'wheelDrag', hold: ['beta'] },
   regulators: ['tau_af', 'tau_ab'],
-  bodies: [...board.bodies, { id: 'rider', label: 'rider', role: 'neutral' }],
+  bodies: [
+    ...board.bodies,
+    { id: 'rider', label: 'rider', role: 'neutral' },
+    { id: 'torso', label: 'hips and above', role: 'neutral' },
+  ],
   spoken: [...board.spoken, { label: 'rider’s lean', values: [['beta']] }],
 } as const satisfies SystemMeta;

@@ -22,8 +22,9 @@ const ANKLE = 0.039;
 const SHOULDER = 0.818;
 const SHOULDERS = 0.129;
 
-/** Of thigh and shank against the vertical on a board, rad: knees bent by twice as much. */
+/** Of thigh and shank against the vertical on a board and in a deep crouch, rad: knees bent by twice as much. */
 const BENT = Math.PI / 6;
+const CROUCHED = Math.PI / 3;
 
 export interface Person {
   /** m, upright. */
@@ -32,7 +33,10 @@ export interface Person {
   mass: number;
 }
 
+const ABOVE_HIPS = new Set([HEAD, TRUNK, UPPER_ARM, FOREARM, HAND]);
+
 interface Piece {
+  aboveHips: boolean;
   mass: number;
   /** To the front, to the side, up from the soles, m. */
   at: readonly [number, number, number];
@@ -42,7 +46,7 @@ interface Piece {
 
 /**
  * Mass, height of the centre above the soles and moments of inertia about it (front to back, side to side, up) of somebody
- * whose arms hang.
+ * whose arms hang; and what of the last is of hips and above about an axis of their own.
  *
  * @param person height and mass
  * @param bent of thigh and shank against the vertical, rad
@@ -51,13 +55,15 @@ interface Piece {
 export function bodyOf({ height, mass }: Person, bent: number, stance: number) {
   const pieces: Piece[] = [];
   /** @param lean of the segment against the vertical, to the front with its upper end */
-  const put = ([share, length, centre, front, side, along]: Segment, top: Piece['at'], lean = 0): Piece['at'] => {
+  const put = (segment: Segment, top: Piece['at'], lean = 0): Piece['at'] => {
+    const [share, length, centre, front, side, along] = segment;
     const l = (length / TALL) * height;
     const [c, s] = [Math.cos(lean), Math.sin(lean)];
     const m = share * mass;
     const [x, y, z] = [front, side, along].map((k) => m * (k * l) ** 2) as [number, number, number];
     const at = (part: number): Piece['at'] => [top[0] - part * l * s, top[1], top[2] - part * l * c];
-    pieces.push({ mass: m, at: at(centre), inertia: [c * c * x + s * s * z, y, c * c * z + s * s * x] });
+    const inertia = [c * c * x + s * s * z, y, c * c * z + s * s * x] as const;
+    pieces.push({ aboveHips: ABOVE_HIPS.has(segment), mass: m, at: at(centre), inertia });
     return at(1);
   };
   const leg = ((THIGH[1] + SHANK[1]) / TALL) * height * Math.cos(bent);
@@ -78,8 +84,15 @@ export function bodyOf({ height, mass }: Person, bent: number, stance: number) {
   const trunk = (TRUNK[1] / TALL) * height;
   put(TRUNK, [hipAhead, 0, hip + trunk]);
   put(HEAD, [hipAhead, 0, height + lower]);
-  const total = pieces.reduce((sum, piece) => sum + piece.mass, 0);
-  const centre = [0, 1, 2].map((i) => pieces.reduce((sum, piece) => sum + piece.mass * piece.at[i]!, 0) / total);
+  const { mass: total, centre, inertia } = together(pieces);
+  const upper = together(pieces.filter(({ aboveHips }) => aboveHips));
+  return { mass: total, centre: centre[2]!, inertia, hips: upper.inertia[2] };
+}
+
+/** Mass, centre and moments of inertia about it. */
+function together(pieces: readonly Piece[]) {
+  const mass = pieces.reduce((sum, piece) => sum + piece.mass, 0);
+  const centre = [0, 1, 2].map((i) => pieces.reduce((sum, piece) => sum + piece.mass * piece.at[i]!, 0) / mass);
   const inertia = [0, 1, 2].map((i) =>
     pieces.reduce((sum, piece) => {
       const [j, k] = [(i + 1) % 3, (i + 2) % 3] as const;
@@ -88,7 +101,7 @@ export function bodyOf({ height, mass }: Person, bent: number, stance: number) {
       );
     }, 0),
   );
-  return { mass: total, centre: centre[2]!, inertia: inertia as [number, number, number] };
+  return { mass, centre, inertia: inertia as [number, number, number] };
 }
 
 /**
@@ -100,7 +113,7 @@ export function bodyOf({ height, mass }: Person, bent: number, stance: number) {
  * @param plateThickness m: the soles stand half of it above the rod's centre
  */
 export function riderOf(person: Person, plateOffset = 0.26, plateThickness = 0.05): Record<string, number> {
-  const { mass, centre, inertia } = bodyOf(person, BENT, plateOffset);
+  const { mass, centre, inertia, hips } = bodyOf(person, BENT, plateOffset);
   const round = (x: number): number => Math.round(x * 1000) / 1000;
   return {
     riderMass: round(mass),
@@ -108,5 +121,13 @@ export function riderOf(person: Person, plateOffset = 0.26, plateThickness = 0.0
     riderIxx: round(inertia[1]),
     riderIyy: round(inertia[0]),
     riderIzz: round(inertia[2]),
+    hipIzz: round(hips),
   };
 }
+
+/**
+ * How far down the centre of mass goes, from knees bent as on a board to knees bent by a right angle and a third of one more, m.
+ *
+ * @param person height and mass
+ */
+export const crouchOf = (person: Person): number => bodyOf(person, BENT, 0).centre - bodyOf(person, CROUCHED, 0).centre;

@@ -1,4 +1,4 @@
-import { sampleUpTo, tell } from '../../core/scenario/ride.ts';
+import { canBeTold, sampleUpTo, tell } from '../../core/scenario/ride.ts';
 import { ScenarioError, type RideControl } from '../../core/scenario/types.ts';
 import { needsEveryMotion } from '../../core/simulation/motion.ts';
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
@@ -51,7 +51,7 @@ async function compute(
   const due = (now: number): number => (since ? since.time + (pace * (now - since.wall)) / 1000 : ride.resume);
   onUpdate(({ command, pace: next, ready: drawn }) => {
     ready ||= drawn === true;
-    if (command && !simulation.end) {
+    if (command && !simulation.end && canBeTold(command[0], system.meta, scenario.hold)) {
       const [name, value, given] = command;
       const told = tell(control, simulation.time, name, value);
       // Rows stand at whole output steps.

@@ -8,7 +8,7 @@ import { ScenarioError, type RideCommand, type RideControl } from './types.ts';
 /** `sample` (s) in which commands are taken and torques asked; full help; `speed` (m/s) that a start pushes up to. */
 export const RIDE_DEFAULTS = { sample: 0.005, help: 1, speed: 1.5 } as const;
 
-/** What each command may be worth. The first six set one thing, the others are motion primitives made of them. */
+/** What each command may be worth. The first eight set one thing, the others are motion primitives made of them. */
 export const RIDE_COMMANDS: Readonly<Record<string, readonly [least: number, most: number]>> = {
   lean: [-1, 1],
   twist: [-1, 1],
@@ -16,6 +16,8 @@ export const RIDE_COMMANDS: Readonly<Record<string, readonly [least: number, mos
   push: [0, 1],
   brake: [0, 1],
   help: [0, 1],
+  crouch: [0, 1],
+  hips: [-1, 1],
   start: [0, 1],
   coast: [0, 1],
   left: [0, 1],
@@ -23,6 +25,22 @@ export const RIDE_COMMANDS: Readonly<Record<string, readonly [least: number, mos
   straight: [0, 1],
   stop: [0, 1],
 };
+
+/** Commands for a rider's own body, and the coordinate that each moves. */
+export const RIDE_BODY: Readonly<Record<string, string>> = { crouch: 'crouch', hips: 'twist' };
+
+/**
+ * Whether a rider can be told a command: to crouch, or to turn the hips, where that coordinate is there and free.
+ *
+ * @param name of the command
+ * @param meta of the system
+ * @param hold names of the coordinates that are held
+ */
+export function canBeTold(name: string, meta: Pick<SystemMeta, 'coordinates'>, hold: readonly string[]): boolean {
+  const coordinate = RIDE_BODY[name];
+  if (coordinate === undefined) return name in RIDE_COMMANDS;
+  return meta.coordinates.some((c) => c.name === coordinate) && !hold.includes(coordinate);
+}
 
 /** Of a sample: a time that is a multiple of it may be a last digit early. */
 const ROUNDING = 1e-6;
@@ -42,6 +60,7 @@ export const isRidable = (meta: SystemMeta): boolean => meta.gait !== undefined 
  * @param meta of the system
  * @param inputs names of all its inputs
  * @param limits `control.limits`
+ * @param hold names of the coordinates that are held
  */
 export function checkRide(
   c: Checker,
@@ -49,6 +68,7 @@ export function checkRide(
   meta: SystemMeta,
   inputs: readonly string[],
   limits: Record<string, number>,
+  hold: readonly string[],
 ): RideControl | null {
   if (!isRidable(meta))
     return (
@@ -61,7 +81,7 @@ export function checkRide(
   c.number('control.sample', timed.get('sample'), { above: 0 });
   return {
     type: 'ride',
-    commands: checkCommands(c, 'control.commands', control.get('commands')),
+    commands: checkCommands(c, 'control.commands', control.get('commands'), { meta, hold }),
     help: number('help', { least: 0, most: 1 }),
     speed: number('speed', { above: 0, most: 20 }),
     limits,
@@ -73,8 +93,14 @@ export function checkRide(
  * @param c collects the errors
  * @param path of the list
  * @param raw as written: `[[time, command, value], …]`, a value of 1 may be left out
+ * @param ridden whose body is told, where that is known: the system and the coordinates that are held
  */
-export function checkCommands(c: Checker, path: string, raw: unknown): RideCommand[] {
+export function checkCommands(
+  c: Checker,
+  path: string,
+  raw: unknown,
+  ridden?: { meta: SystemMeta; hold: readonly string[] },
+): RideCommand[] {
   if (raw === undefined) return [];
   if (!Array.isArray(raw)) {
     c.add(path, 'must be a list of [time, command, value], as [[0, "start"], [3, "twist", 0.5]]');
@@ -96,6 +122,17 @@ export function checkCommands(c: Checker, path: string, raw: unknown): RideComma
     const time = c.number(`${at}[0]`, rawTime, { least: 0 });
     const name = c.oneOf(`${at}[1]`, rawName, Object.keys(RIDE_COMMANDS));
     if (time === undefined || name === undefined) continue;
+    if (ridden && !canBeTold(name, ridden.meta, ridden.hold)) {
+      const coordinate = RIDE_BODY[name]!;
+      const held = ridden.hold.includes(coordinate);
+      c.add(
+        `${at}[1]`,
+        held
+          ? `"${name}" moves ${coordinate}, which is held: put it in "release"`
+          : `"${name}" is for a rider who has ${coordinate}; ${ridden.meta.id} has none`,
+      );
+      continue;
+    }
     const [least, most] = RIDE_COMMANDS[name]!;
     const value = c.number(`${at}[2]`, rawValue, { least, most });
     if (value === undefined) continue;

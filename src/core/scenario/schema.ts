@@ -170,7 +170,7 @@ function checkSystem(c: Checker, file: ReadonlyMap<string, unknown>, id: string,
     ...holding,
     initial: statesOf(c, 'initial', file.get('initial'), meta, points),
     inputs: expressions(c, 'inputs', file.get('inputs'), inputs),
-    control: checkControl(c, file.get('control'), meta, { states, points, inputs }),
+    control: checkControl(c, file.get('control'), meta, { states, points, inputs, hold: holding.hold }),
     at: statesOf(c, 'at', file.get('at'), meta, points),
     method: checkMethod(c, file.get('method')),
     duration,
@@ -339,6 +339,8 @@ interface Names {
   /** States, and what else an operating point may be given by. */
   points: readonly string[];
   inputs: readonly string[];
+  /** Coordinates that are held. */
+  hold: readonly string[];
 }
 
 const CONTROL_KEYS: Readonly<Record<string, readonly string[]>> = {
@@ -356,7 +358,7 @@ function checkControl(c: Checker, raw: unknown, meta: SystemMeta, names: Names):
   const control = new Map(c.entries('control', raw, CONTROL_KEYS[type]));
   const limits = constants(c, 'control.limits', control.get('limits'), names.inputs);
   for (const [name, value] of Object.entries(limits)) c.number(`control.limits.${name}`, value, { above: 0 });
-  if (type === 'ride') return checkRide(c, control, meta, names.inputs, limits);
+  if (type === 'ride') return checkRide(c, control, meta, names.inputs, limits, names.hold);
   return type === 'lqr' ? checkLqr(c, control, meta, names, limits) : checkTrack(c, control, meta, limits);
 }
 

@@ -27,6 +27,7 @@ export function boardLayer(meta: SystemMeta): Layer {
   );
   return {
     lean: null,
+    body: [],
     limit: LIMIT,
     direct: DIRECT,
     ask({ t, q, v, wish }, feet) {

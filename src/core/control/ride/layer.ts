@@ -22,6 +22,19 @@ export interface Layer {
   readonly limit: number;
   readonly direct: number;
   ask(sight: Sight, feet: Float64Array): void;
+  /** Legs and hips that move by themselves, where they are free. */
+  readonly body: readonly Servo[];
+}
+
+/** A coordinate of the body that follows what is wished by an input of its own. */
+export interface Servo {
+  readonly input: string;
+  /** Most of that input, and what a whole command asks of it without help. */
+  readonly limit: number;
+  readonly direct: number;
+  /** The command. */
+  readonly wish: 'crouch' | 'hips';
+  ask(sight: Sight): number;
 }
 
 /**

@@ -37,15 +37,25 @@ export function rideFeedbackOf(scenario: Scenario, system: System, control: Ride
   const { meta } = system;
   const plane = planeOf(meta);
   const layer = meta.gait!.hold?.length ? riderLayer(scenario, system) : boardLayer(meta);
+  const { body } = layer;
   const along = [plane.x, plane.y].map((i) => `f_${meta.coordinates[i]!.name}`);
-  const names = [...meta.gait!.feet, ...along, ...(layer.lean ? [`f_${layer.lean.name}`] : [])];
+  const names = [
+    ...meta.gait!.feet,
+    ...along,
+    ...(layer.lean ? [`f_${layer.lean.name}`] : []),
+    ...body.map(({ input }) => input),
+  ];
+  const most = new Map(body.map(({ input, limit }) => [input, limit]));
   const known = inputsOf(meta).map((input) => input.name);
   const program = rideProgram(control, layer, plane, massOf(scenario, system, plane.x));
   const limits = control.limits ?? {};
   return new Map(
     names
       .filter((name) => known.includes(name))
-      .map((name, k) => [name, new RideFeedback(program, Number(limits[name] ?? (k < 2 ? layer.limit : Infinity)))]),
+      .map((name, k) => [
+        name,
+        new RideFeedback(program, Number(limits[name] ?? most.get(name) ?? (k < 2 ? layer.limit : Infinity))),
+      ]),
   );
 }
 
@@ -101,6 +111,10 @@ function rideProgram(control: RideControl, layer: Layer, plane: ReturnType<typeo
         if (!layer.lean) return;
         const { index, stiffness, damping } = layer.lean;
         out[4] = -help * sight.foot * (stiffness * q[index]! + damping * v[index]!);
+        for (let k = 0; k < layer.body.length; k++) {
+          const servo = layer.body[k]!;
+          out[5 + k] = help * servo.ask(sight) + (1 - help) * servo.direct * wish[servo.wish];
+        }
       };
     },
   };

@@ -1,3 +1,4 @@
+import { RIDE_BODY } from '../../scenario/ride.ts';
 import { cosine, sine } from '../../elementary/trigonometry.ts';
 import { Matrix } from 'ml-matrix';
 import { inputsOf } from '../../model/inputs.ts';
@@ -9,7 +10,7 @@ import { plantOf } from '../design/scenarioControl.ts';
 import { located, preparedPlant } from '../linearization/preparedPlant.ts';
 import type { Plant } from '../linearization/steadyMotion.ts';
 import { planeOf, steadyTurn } from '../path/steadyTurn.ts';
-import { place, type Layer } from './layer.ts';
+import { place, type Layer, type Servo, type Sight } from './layer.ts';
 
 /**
  * A rider kept up by the ankles: at the speed s that there is and for the curvature kappa that is wanted,
@@ -37,6 +38,15 @@ const HOLD_DAMPING = 0.15;
 /** Of a lean that shows what the weight does, rad. */
 const SMALL = 1e-4;
 
+/** Of a whole crouch, the share of the height of the centre of mass; of a whole turn of the hips, rad. */
+const DEEP = 0.28;
+const WIDE = 0.6;
+/** Hips and shoulders go ahead into a turn, rad for the tightest. */
+const LEAD = 0.3;
+/** Muscles that move the body: N/m and N·m/rad, damping as a share of the time that they take (s), the most that they give. */
+const LEGS = { stiffness: 20_000, damping: 0.1, limit: 1500, direct: 400 };
+const HIPS = { stiffness: 150, damping: 0.05, limit: 80, direct: 25 };
+
 /** What the regulator weighs beside the rider's lean: roll of the plates on the rod and steer, and their rates. */
 const FELT = ['alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc'];
 
@@ -51,7 +61,8 @@ const made = new WeakMap<System, Map<string, readonly GainSchedule[]>>();
 export function riderLayer(scenario: Scenario, system: System): Layer {
   const { meta } = system;
   const n = meta.coordinates.length;
-  const plant = withoutDrag(plantOf(scenario, system));
+  // The feet balance a body that stands as it is told to: its own muscles see to that.
+  const plant = stiff(withoutDrag(plantOf(scenario, system)));
   const plane = planeOf(meta);
   const leanName = meta.gait!.hold![0]!;
   const lean = place(meta, leanName);
@@ -63,6 +74,7 @@ export function riderLayer(scenario: Scenario, system: System): Layer {
     lean: { name: leanName, index: lean, stiffness: HOLD * pull, damping: HOLD * HOLD_DAMPING * pull },
     limit: LIMIT,
     direct: DIRECT,
+    body: servosOf(scenario, meta),
     ask({ t, q, v, speed, across, wish, foot }, feet) {
       const most = Math.min(TIGHTEST, SIDEWAYS / Math.max(speed * speed, 1e-3));
       const asked = wish.twist * most + (wish.lean * SIDEWAYS) / Math.max(speed * speed, 1);
@@ -81,6 +93,49 @@ export function riderLayer(scenario: Scenario, system: System): Layer {
       }
     },
   };
+}
+
+/** What is held by default, held. */
+function stiff(plant: Plant): Plant {
+  const { meta } = plant.system;
+  const held = (meta.held ?? []).map((name) => place(meta, name));
+  return { ...plant, hold: [...new Set([...plant.hold, ...held])] };
+}
+
+/** Legs that crouch and hips that turn, those of them that are free; each follows its target, which moves no faster than a body. */
+function servosOf({ hold, parameters }: Scenario, meta: SystemMeta): Servo[] {
+  const servo = (
+    wish: Servo['wish'],
+    muscle: typeof LEGS,
+    spring: string,
+    target: (sight: Sight) => number,
+  ): readonly Servo[] => {
+    const name = RIDE_BODY[wish]!;
+    const index = place(meta, name);
+    const input = meta.inputs.find(({ column }) => Object.keys(column).join() === name)?.name;
+    if (index < 0 || !input || hold.includes(name)) return [];
+    const passive = parameters[spring] ?? 0;
+    const { stiffness, damping, limit, direct } = muscle;
+    return [
+      {
+        input,
+        limit,
+        direct,
+        wish,
+        ask(sight) {
+          const wanted = target(sight);
+          return passive * wanted - stiffness * (sight.q[index]! - wanted + damping * sight.v[index]!);
+        },
+      },
+    ];
+  };
+  const deep = DEEP * (parameters['riderHeight'] ?? 0);
+  return [
+    ...servo('crouch', LEGS, 'legStiffness', ({ wish }) => deep * wish.crouch),
+    ...servo('hips', HIPS, 'hipStiffness', ({ wish }) =>
+      Math.max(-WIDE, Math.min(WIDE, WIDE * wish.hips + LEAD * wish.twist)),
+    ),
+  ];
 }
 
 /** Regulators are about steady motions, and with drag there is none: it is small beside what they do. */

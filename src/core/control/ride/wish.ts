@@ -16,6 +16,10 @@ export interface Wish {
   brake: number;
   /** How much of the stabilizing layer acts, 0 to 1. */
   help: number;
+  /** How deep the body crouches, 0 to 1. */
+  crouch: number;
+  /** How far the hips turn, to the left positive, -1 to 1. */
+  hips: number;
 }
 
 /** What every command and primitive sets. */
@@ -26,16 +30,18 @@ const SETS: Readonly<Record<string, (value: number) => Partial<Wish>>> = {
   push: (push) => ({ push, brake: 0 }),
   brake: (brake) => ({ brake, push: 0 }),
   help: (help) => ({ help }),
+  crouch: (crouch) => ({ crouch }),
+  hips: (hips) => ({ hips }),
   start: (push) => ({ push, pump: 0, brake: 0 }),
   coast: () => ({ push: 0, pump: 0, brake: 0 }),
   left: (twist) => ({ twist }),
   right: (value) => ({ twist: -value }),
-  straight: () => ({ lean: 0, twist: 0 }),
-  stop: (brake) => ({ brake, push: 0, pump: 0, lean: 0, twist: 0 }),
+  straight: () => ({ lean: 0, twist: 0, hips: 0 }),
+  stop: (brake) => ({ brake, push: 0, pump: 0, lean: 0, twist: 0, hips: 0 }),
 };
 
 /** How fast a body takes a wish up, 1/s: from nothing to all of it. */
-const RATES: Readonly<Wish> = { lean: 2.5, twist: 2.5, pump: 1, push: 4, brake: 3, help: 2 };
+const RATES: Readonly<Wish> = { lean: 2.5, twist: 2.5, pump: 1, push: 4, brake: 3, help: 2, crouch: 3, hips: 4 };
 
 const KEYS = Object.keys(RATES) as (keyof Wish)[];
 
@@ -55,7 +61,7 @@ export class Follower {
   /** @param help at the beginning */
   constructor(commands: readonly RideCommand[], help: number) {
     this.commands = commands;
-    this.first = { lean: 0, twist: 0, pump: 0, push: 0, brake: 0, help };
+    this.first = { lean: 0, twist: 0, pump: 0, push: 0, brake: 0, help, crouch: 0, hips: 0 };
     this.now = { ...this.first };
     this.wished = { ...this.first };
   }

@@ -10,7 +10,7 @@ import { seeded } from '../../../../src/cli/bench/states.ts';
 
 const DRAG = 0.5;
 
-function rideOf(system: string, commands: readonly RideCommand[], more: Partial<ScenarioFile> = {}): Scenario {
+function anyRide(system: string, commands: readonly RideCommand[], more: Partial<ScenarioFile> = {}): Scenario {
   const { control, ...rest } = more;
   return checkScenario(
     {
@@ -42,7 +42,15 @@ async function ridden(scenario: Scenario) {
   return { end: simulation.end!, columns, column, speed, at };
 }
 
-describe.each(['ripstik', 'ripstik-rider'])('%s, told what to do with full help', (system) => {
+const FREE: Partial<ScenarioFile> = { release: ['crouch', 'twist'] };
+
+describe.each<[string, string, Partial<ScenarioFile>]>([
+  ['ripstik', 'ripstik', {}],
+  ['ripstik-rider', 'ripstik-rider', {}],
+  ['ripstik-rider who crouches and twists', 'ripstik-rider', FREE],
+])('%s, told what to do with full help', (_, system, body) => {
+  const rideOf: typeof anyRide = (id, commands, more) => anyRide(id, commands, { ...body, ...more });
+
   it('starts from rest to 1 m/s, coasts and stops', async () => {
     const { end, speed, at } = await ridden(
       rideOf(system, [
@@ -90,7 +98,7 @@ describe.each(['ripstik', 'ripstik-rider'])('%s, told what to do with full help'
     const control = live.control as RideControl;
     const simulation = await begun(live);
     const rows: Float64Array[][] = [];
-    const names = ['start', 'twist', 'lean', 'pump', 'coast', 'help'] as const;
+    const names = ['start', 'twist', 'lean', 'pump', 'coast', 'help', ...(body.release ? ['crouch', 'hips'] : [])];
     for (let horizon = 0; !simulation.end;) {
       horizon += 0.05 * random();
       simulation.horizon = sampleUpTo(control, horizon);
@@ -111,6 +119,65 @@ describe.each(['ripstik', 'ripstik-rider'])('%s, told what to do with full help'
     replay.columns.forEach((column, i) => {
       expect(Float64Array.from(rows.flatMap((chunk) => [...chunk[i]!]))).toEqual(column);
     });
+  });
+});
+
+const rideOf = anyRide;
+
+describe('legs and hips', () => {
+  it('go where they are told, and back', async () => {
+    const { end, column, at } = await ridden(
+      rideOf(
+        'ripstik-rider',
+        [
+          [0, 'start', 1],
+          [3, 'crouch', 1],
+          [4, 'hips', 1],
+          [6, 'crouch', 0],
+          [7, 'hips', -0.5],
+        ],
+        FREE,
+      ),
+    );
+    expect(end.reason).toBe('end');
+    const [crouch, twist] = [column('crouch'), column('twist')];
+    expect(crouch[at(2.9)]).toBeCloseTo(0, 3);
+    expect(crouch[at(5.5)]).toBeCloseTo(0.28 * 0.9, 2);
+    expect(crouch[at(9)]).toBeCloseTo(0, 2);
+    expect(twist[at(6)]).toBeCloseTo(0.6, 1);
+    expect(twist[at(10)]).toBeCloseTo(-0.3, 1);
+    for (const [name, most] of [
+      ['f_crouch', 1500],
+      ['tau_twist_rider', 80],
+    ] as const)
+      expect(Math.max(...column(name).map(Math.abs))).toBeLessThanOrEqual(most);
+  });
+
+  it('go ahead into a turn', async () => {
+    const { column, at } = await ridden(
+      rideOf(
+        'ripstik-rider',
+        [
+          [0, 'start', 1],
+          [3, 'left', 1],
+        ],
+        FREE,
+      ),
+    );
+    expect(column('twist')[at(6)]).toBeGreaterThan(0.2);
+  });
+
+  it('swung to and fro, hips carry on where a ride coasts', async () => {
+    const swing: RideCommand[] = Array.from({ length: 20 }, (_, k) => [3 + 0.4 * k, 'hips', k % 2 ? 1 : -1]);
+    const coast: RideCommand[] = [
+      [0, 'start', 1],
+      [3, 'coast', 1],
+    ];
+    const [swung, coasted] = await Promise.all(
+      [[...coast, ...swing], coast].map((commands) => ridden(rideOf('ripstik-rider', commands, FREE))),
+    );
+    expect(swung!.end.reason).toBe('end');
+    expect(swung!.speed.at(-1)! - coasted!.speed.at(-1)!).toBeGreaterThan(0.5);
   });
 });
 
@@ -159,6 +226,15 @@ describe('a ride that can not be', () => {
         [1, 'stop'],
       ]),
       'control.commands[1][0]: 1 s is before the command above it at 2 s: put them in order of time',
+    ],
+    [told([[1, 'crouch']]), 'control.commands[0][1]: "crouch" moves crouch, which is held: put it in "release"'],
+    [
+      refusal({ release: ['crouch'], control: { type: 'ride', commands: [[1, 'hips', -1]] } }),
+      'control.commands[0][1]: "hips" moves twist, which is held: put it in "release"',
+    ],
+    [
+      refusal({ system: 'ripstik', control: { type: 'ride', commands: [[1, 'hips', -1]] } }),
+      'control.commands[0][1]: "hips" is for a rider who has twist; ripstik has none',
     ],
     [refusal({ control: { type: 'ride', help: 2 } }), 'control.help: must be at most 1, not 2'],
     [

@@ -30,7 +30,15 @@ const symmetries: Readonly<Record<string, Symmetry>> = {
     shift: { X: 1, Y: -2 },
     turn: ['X', 'Y', 'theta'],
     mirror: ['Y', 'alpha', 'theta', 'alpha_fp', 'alpha_bp', 'theta_fc', 'theta_bc', 'beta', 'twist'],
-    losses: ['torsionDamping', 'jointDamping', 'casterDamping', 'wheelDrag', 'ankleDamping', 'legDamping', 'hipDamping'],
+    losses: [
+      'torsionDamping',
+      'jointDamping',
+      'casterDamping',
+      'wheelDrag',
+      'ankleDamping',
+      'legDamping',
+      'hipDamping',
+    ],
   },
   // Fixed to the world by its pivot; its steering axis is tilted.
   'caster-rotation': { shift: {}, mirror: ['theta_c'] },

@@ -54,7 +54,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   const parts = new Parts(scene, palette, software ? 1024 : 2048);
   const { bodies, trails, forces, ghosts } = parts;
   if (options.still?.transparent) parts.ground.hideDisc();
-  if (options.still?.labels === false) parts.labels.hide();
+  if (options.still?.labels === false) parts.labels.setShown(false);
   const focus = new Focus();
   const pushDrag = new PushDrag(
     canvas,

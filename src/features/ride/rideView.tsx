@@ -11,6 +11,9 @@ import { gates } from './course.ts';
 import './ride.css';
 import { words } from './words.ts';
 
+/** After this much of a ride its keys are known, s: the panel leaves the view; they are told again at its end. */
+const LEARNT = 12;
+
 export function RideView({ onLeave }: { onLeave(): void }) {
   const { app } = useUi();
   const session = useMemo(() => new Session(app), []);
@@ -96,7 +99,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
           </button>
           <HelpLink document="riding.md" title={words.label} />
         </div>
-        <p class="hint ride-keys">{words.keys}</p>
+        {(phase !== 'riding' || time < LEARNT) && <p class="hint ride-keys">{words.keys}</p>}
       </section>
     </div>
   );

@@ -50,11 +50,12 @@ export class Parts {
     this.trails.setPlan(floor, size);
   }
 
-  /** Without shadows and the ground's grain, of tracks the newest alone. */
+  /** Without shadows, the ground's grain and its metres, which few pixels can't tell; of tracks the newest alone. */
   setPlain(plain: boolean): void {
     this.lights.setShadows(!plain);
     this.ground.setPlain(plain);
     this.trails.setShort(plain);
+    this.labels.setShown(!plain);
   }
 
   /** Light and ground go with the subject. @param height (m) of a board that is not on both its wheels */

@@ -65,8 +65,9 @@ export class Labels {
     scene.add(...this.sprites);
   }
 
-  hide(): void {
-    this.hidden = true;
+  setShown(shown: boolean): void {
+    this.hidden = !shown;
+    this.shown = '';
     for (const sprite of this.sprites) sprite.visible = false;
   }
 

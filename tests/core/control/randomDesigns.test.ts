@@ -95,6 +95,13 @@ function hasUnreachableUnstableMode({ linearization }: ReachablePlant): boolean 
   });
 }
 
+/** |Vp^T A V| as a share of |A|, where ranks are decided. */
+function leavingReach({ split: { balance } }: ReachablePlant): number {
+  const { A, reachable: V } = balance;
+  const inside = V.mmul(V.transpose().mmul(A).mmul(V));
+  return Matrix.sub(A.mmul(V), inside).norm() / A.norm();
+}
+
 test(`${COUNT} random designs of seed ${SEED} are solved, or refused because no input reaches an unstable mode`, () => {
   const random = seeded(SEED);
   let solved = 0;
@@ -102,6 +109,8 @@ test(`${COUNT} random designs of seed ${SEED} are solved, or refused because no 
     const raw = draw(random);
     const told = JSON.stringify(raw);
     const plant = reachablePlant(linearizationOf(raw));
+    // A direction too few shows: what is reached is then no invariant subspace.
+    expect(leavingReach(plant), told).toBeLessThan(1e-12);
     const { Q, R, inputs } = raw.control;
     const weights = { Q: plant.linearization.states.map((s) => Q[s] ?? 0), R: inputs.map((name) => R[name]!) };
     let design;
@@ -142,4 +151,40 @@ test('beside ankles whose modes are four thousand times the fall, rounding of th
   expect(plant.split.A.rows).toBe(12);
   const Q = plant.linearization.states.map((s) => (['alpha_fp', 'Y'].includes(s) ? 1 : 0));
   expect(designLqr(plant, { Q, R: [1, 1] }).riccati.residual).toBeLessThan(1e-10);
+});
+
+// Gaps between singular values said 11, 13 and 9, beside stages of 1e-6.
+test.each([
+  {
+    name: 'two inputs at 0.03 m/s',
+    parameters: { ankleStiffness: 502, ankleDamping: 0.74, riderMass: 129, riderHeight: 1.004 },
+    inputs: ['tau_bp', 'tau_fc'],
+    at: { X_dot: 0.0344 },
+    dimension: 12,
+  },
+  {
+    name: 'a push forwards besides',
+    parameters: { ankleStiffness: 382, ankleDamping: 78, riderMass: 21.6, riderHeight: 0.77 },
+    inputs: ['tau_fp', 'tau_bp', 'tau_fc', 'tau_bc', 'f_X'],
+    at: { X_dot: -0.371 },
+    dimension: 14,
+  },
+  { name: 'two inputs at rest', parameters: {}, inputs: ['tau_bp', 'f_beta'], at: {}, dimension: 10 },
+])('what is reached under a rider is invariant: $name', ({ parameters, inputs, at, dimension }) => {
+  const plant = reachablePlant(
+    linearizationOf({ system: 'ripstik-rider', parameters, control: { type: 'lqr', inputs, at } }),
+  );
+  expect(plant.split.A.rows).toBe(dimension);
+  expect(leavingReach(plant)).toBeLessThan(1e-13);
+});
+
+test('a push along the blade does not reach the turning of a sleigh that goes backwards, whatever 6e-17 of it says', () => {
+  const plant = reachablePlant(
+    linearizationOf({
+      system: 'chaplygin-sleigh',
+      control: { type: 'lqr', inputs: ['f_x'], at: { x_dot: -3.2293229346508214 } },
+    }),
+  );
+  const Q = plant.linearization.states.map(() => 1);
+  expect(() => designLqr(plant, { Q, R: [1] })).toThrow(/no input reaches the unstable mode with eigenvalue 7\.176/);
 });

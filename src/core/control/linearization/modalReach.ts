@@ -92,7 +92,8 @@ function reachedModes(
     if (values[i]![1] < 0) continue;
     const pair = pairOf(i);
     const near = values.map((other, j) => (pair.includes(j) ? 0 : condition[j]! / distance(values[i]!, other)));
-    const rounding = EPSILON * scale * near.reduce((sum, x) => sum + x, 0);
+    // Its own rounding, and what neutral modes, which are as far as it is from 0, bring into it.
+    const rounding = EPSILON * (10 + scale * near.reduce((sum, x) => sum + x, condition[i]! / modulus(values[i]!)));
     if (!(rounding < ROUGH)) return null;
     const share = Math.max(
       ...sizes.map((s, k) => (s > 0 ? size(pair, (p) => row(p).mmul(B.getColumnVector(k))) / s : 0)),

@@ -76,7 +76,8 @@ export function splitByReachability(
   const I = Matrix.eye(A.rows);
   const plant = !basis ? { A, B, basis: I, back: I, unit: 1 } : basis instanceof Matrix ? balanced(basis, A, B) : basis;
   const sized = sizes?.map((size) => size / plant.unit);
-  const split = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized, 1, weakest));
+  const first = splitAt(A, B, plant, reachableSubspace(plant.A, plant.B, sized, 1, weakest));
+  const split = isInvariant(first) ? first : (smallestInvariant(A, B, plant, sized, weakest) ?? first);
   if (!leavesGrowing(split) && split.strength > DECIDED) return split;
   // There in the middle of the plant's rates, where fast and slow modes are as far from 1.
   const middle = basis instanceof Matrix ? inUnit(basis, A, B, middleRate(A)) : plant;
@@ -87,7 +88,41 @@ export function splitByReachability(
   if (!byModes) return split;
   const modal = splitAt(A, B, middle, byModes);
   // A mode that grows with its rounding alone is none that no input reaches.
-  return leavesGrowing(modal) && !leavesGrowing(split) ? split : modal;
+  return (leavesGrowing(modal) && !leavesGrowing(split)) || (isInvariant(split) && !isInvariant(modal)) ? split : modal;
+}
+
+/**
+ * Whether a subspace that was refined is as invariant as rounding lets it be. With a direction too few it is not: what A makes
+ * of it lies outside by 1e-9 or more, where gaps between singular values may say little (weak stages beside stiff ankles).
+ */
+const isInvariant = ({ balance: { A, reachable: V } }: ReachableSplit): boolean => {
+  const { complement: Vp } = columnSpace(V, () => V.columns);
+  return V.columns === 0 || Vp.columns === 0 || norm(Vp.transpose().mmul(A).mmul(V)) <= INVARIANT * norm(A);
+};
+const INVARIANT = 1e-13;
+
+/** Shares from which a singular value counts, tried one after the other where gaps led to no invariant subspace. */
+const SHARES = Array.from({ length: 23 }, (_, i) => 10 ** (-2 - i / 2));
+
+/** The smallest invariant subspace that holds the inputs, over all shares; null where there is none but the whole space. */
+function smallestInvariant(
+  A: Matrix,
+  B: Matrix,
+  plant: BalancedPlant,
+  sizes: readonly number[] | undefined,
+  weakest: number,
+): ReachableSplit | null {
+  let tried = -1;
+  for (const share of SHARES) {
+    if (share < weakest) break;
+    const found = reachableSubspace(plant.A, plant.B, sizes, 1, share, true);
+    if (found.reachable.columns === tried) continue;
+    tried = found.reachable.columns;
+    if (found.complement.columns === 0) break;
+    const split = splitAt(A, B, plant, found);
+    if (isInvariant(split)) return split;
+  }
+  return null;
 }
 
 /** Weak stages whose product is below this are decided by rounding, as far as the staircase can tell. */

@@ -30,6 +30,7 @@ export interface Reachability {
  * rounding beside that does nothing
  * @param before strength of what A itself was cut out by, 1 for a matrix as it was computed
  * @param weakest share below which a singular value does not count whatever the gaps say; 0: each that is no rounding counts
+ * @param all whether each above that share counts, whatever the gaps say
  */
 export function reachableSubspace(
   A: Matrix,
@@ -37,6 +38,7 @@ export function reachableSubspace(
   sizes?: readonly number[],
   before = 1,
   weakest = 0,
+  all = false,
 ): Reachability {
   const whole = norm(A);
   const stages: number[] = [];
@@ -50,8 +52,8 @@ export function reachableSubspace(
     // In coordinates of the complement the new directions are orthogonal to the old ones to rounding.
     const size = scale;
     const found = columnSpace(complement.transpose().mmul(block), (values) => {
-      const counted = rankByGap(values, size, strength);
-      return Math.min(counted, values.filter((value) => value > weakest * size).length);
+      const strong = values.filter((value) => value > weakest * size).length;
+      return all ? strong : Math.min(rankByGap(values, size, strength), strong);
     });
     if (found.basis.columns > 0) {
       margin.kept = Math.min(margin.kept, found.kept / scale);

@@ -2,17 +2,20 @@
 import type { SystemMeta } from '../core/model/system.ts';
 import { formOf } from './layout/cells.ts';
 import type { Layout } from './layout/layout.ts';
-import { longOf } from './layout/long.ts';
+import { longOf, longUnits } from './layout/long.ts';
 import { valueOf } from './layout/preamble.ts';
 import { stackedOf } from './layout/stacked.ts';
+import { withoutAffixes } from './names/affixes.ts';
 import { attitudesIn, scalarFirst, type Attitude } from './names/attitude.ts';
 import { bodiesOf, bodyIn, type Body } from './names/bodies.ts';
 import { columnsOf, dataColumns, turnedName, type ColumnsFinding } from './names/columns.ts';
 import { candidate, fitSystem, type Candidate, type Fit } from './names/systems.ts';
+import { conceptsIn } from './names/phrases.ts';
 import { attitudeOf, type Systems } from './names/vocabulary.ts';
 import type { ImportChoices, ImportPlan, Question } from './plan.ts';
 import { readNumber } from './reading/numbers.ts';
 import { isMeant, lookedUp, sourcesOf, type Source } from './source.ts';
+import { splitTitle } from './units/titles.ts';
 import { timeReaderOf } from './time/reader.ts';
 import { timeRank } from './time/timeNames.ts';
 import { timeOf, type TimeFinding } from './time/timePlan.ts';
@@ -53,6 +56,8 @@ const MOST_OFFERED = 20;
 export function meaningOf(work: Work): Meaning | string {
   const { layout, choices } = work;
   const sources = sourcesOf(layout);
+  const lying = lyingDown(layout, sources);
+  if (lying !== null) return lying;
   const timing = timeOf(layout, sources, choices);
   if (typeof timing === 'string') return timing;
   if (!layout.titles && layout.headerLines.length === 0) {
@@ -70,14 +75,39 @@ export function meaningOf(work: Work): Meaning | string {
   }
   const long = longOf(layout, sources, timing.time.columns[0]);
   if (!long) return own;
+  const units = longUnits(layout, long);
   const names = [
     sources[long.time]!,
-    ...long.names.map((name): Source => ({ index: 0, title: name, name, plain: name, unit: '', rowUnit: '' })),
+    ...long.names.map((title, i): Source => {
+      const { name, unit } = splitTitle(title);
+      return { index: 0, title, name: name || title, plain: name || title, unit, rowUnit: units[i]! };
+    }),
   ].map((s, index) => ({ ...s, index }));
   const pivoted = meaningWith(work, names, { ...timing, time: { ...timing.time, columns: [0] } }, long);
   if (typeof pivoted === 'string') return own;
   pivoted.notes.unshift(`one value a row: the names in "${sources[long.name]!.name}" became columns`);
   return pivoted;
+}
+
+/** Names in the first column and a row of numbers for each: why that is not read. */
+function lyingDown({ rows, titles, headerLines }: Layout, sources: readonly Source[]): string | null {
+  const lines = titles && headerLines.length > 0 ? [titles, ...rows] : rows;
+  if (sources.length < 2 * lines.length || lines.length < 3) return null;
+  const names = lines.map((cells) => splitTitle(cells[0] ?? '').name);
+  const numbers = lines.every((cells) =>
+    cells
+      .slice(1, 9)
+      .every(
+        (cell) => cell.trim() === '' || readNumber(cell, cell.includes(',')) === readNumber(cell, cell.includes(',')),
+      ),
+  );
+  const timed = names.some((name) => timeRank(name) !== null);
+  const known = names.filter(
+    (name) => timeRank(name) !== null || conceptsIn(name) !== null || /^[a-z]{1,6}(?:_\w+)?$/i.test(name),
+  );
+  return numbers && timed && known.length === names.length
+    ? `the names ${names.slice(0, 4).join(', ')}${names.length > 4 ? ', …' : ''} stand one below another, each before its numbers: exchange rows and columns (in a spreadsheet copy and paste transposed, in pandas df.T)`
+    : null;
 }
 
 /** The board's ten columns hold no time. */
@@ -190,6 +220,18 @@ function meaningWith(
       ? chosenFit(candidate(one.id, one, names, chosen, attitudes.length > 0))
       : fitSystem(names, options.systems, options.preferred ?? null, chosen, attitudes.length > 0);
   let fit = fitOf(titles);
+  if (!fit.candidate && !long) {
+    const shorter = withoutAffixes(
+      sources,
+      (names) =>
+        fitOf(
+          names.map((name, i) =>
+            name === null || titles[i] === null ? null : lookedUp({ ...sources[i]!, plain: name }),
+          ),
+        ).candidate !== null,
+    );
+    if (shorter) return meaningWith(work, shorter, timing, long);
+  }
   if (!fit.candidate) return options.data && !one ? asData(fit.reason) : fit.reason;
   const bodies = bodiesOf(sources, fit.candidate, attitudes, valueOf(properties, /^BODY_NAMES$/i) !== null);
   const body = bodies.find(({ name }) => name === choices.body) ?? bodies[0];

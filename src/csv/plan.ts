@@ -6,7 +6,16 @@ import type { Kind } from './units/units.ts';
  * and from what a person chose; the reader follows it; the page shows it and lets each part be changed.
  */
 
-export type Encoding = 'utf-8' | 'utf-16le' | 'utf-16be' | 'windows-1252';
+export type Encoding =
+  | 'utf-8'
+  | 'utf-16le'
+  | 'utf-16be'
+  | 'windows-1252'
+  | 'windows-1250'
+  | 'windows-1251'
+  | 'shift_jis'
+  | 'gb18030'
+  | 'euc-kr';
 /** What stands between two cells; `blanks`: any number of spaces and tabs. */
 export type Separator = ',' | ';' | '\t' | '|' | 'blanks';
 /** How rates that the file does not hold are made. */
@@ -87,7 +96,16 @@ export interface ColumnPlan {
 }
 
 export type TimeForm =
-  'number' | 'epoch' | 'date-time' | 'clock' | 'date and clock' | 'compact clock' | 'parts' | 'frame' | 'counted';
+  | 'number'
+  | 'epoch'
+  | 'date-time'
+  | 'clock'
+  | 'date and clock'
+  | 'compact clock'
+  | 'parts'
+  | 'frame'
+  | 'steps'
+  | 'counted';
 
 export interface TimePlan {
   /** Columns it is read from: none, one, a date and a clock, or (`parts`) the last of year, month, day, hour, minute, second. */

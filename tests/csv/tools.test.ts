@@ -425,7 +425,7 @@ test.each([
 
 test.each([
   ['nothing', '', 'there are no rows of numbers'],
-  ['a header alone', 't,x,y,theta\n', 'no row could be used'],
+  ['a header alone', 't,x,y,theta\n', 'names, and no rows of numbers'],
   ['times alone', 't\n0\n1\n2\n', 'no other column with numbers'],
   ['a letter', 'Hello, world.\nThis is a letter.\nIt has no numbers.\n', 'there are no rows of numbers'],
   [

@@ -27,8 +27,18 @@ const tool = fc.record({
     ['Tiempo (s)', 'posición_x (m)', 'posición_y (m)', 'θ (rad)'],
     ['time', 'board.x', 'board.y', 'board.theta'],
     ['timestamp_ms', '/robot/x', '/robot/y', '/robot/yaw'],
+    ['ts', 'board_x', 'board_y', 'board_theta'],
+    ['$t$ [s]', '$x$ [m]', '$y$ [m]', '$\\theta$ [rad]'],
+    ['Temps écoulé (s)', 'Coordonnée X (mm)', 'Coordonnée Y (mm)', 'Angle de lacet (°)'],
+    ['tempo decorrido (s)', 'x_est', 'y_est', 'guinada_est'],
+    ['tijd [s]', 'positie x [mm]', 'positie y [mm]', 'gierhoek [graden]'],
+    ['Czas [s]', 'położenie x [mm]', 'położenie y [mm]', 'kąt odchylenia [stopnie]'],
+    ['Время, с', 'координата x, мм', 'координата y, мм', 'курс, град'],
+    ['経過時間 [秒]', 'x座標 [mm]', 'y座標 [mm]', 'ヨー角 [度]'],
   ),
-  extra: fc.constantFrom([], ['der(x)'], ['energy'], ['note']),
+  extra: fc.constantFrom([], ['der(x)'], ['energy'], ['note'], ['acc.x'], ['gyro_y', 'error x'], ['Kraft y']),
+  below: fc.constantFrom('', '', '', 'float64', '<dbl>', '----', 'no remark'),
+  end: fc.constantFrom('', '', 'blank rows', '\n\n', '\u001a', '\n\0\0\0'),
   clock: fc.constantFrom('number', 'iso', 'h:m:s'),
   quoted: fc.boolean(),
   above: fc.constantFrom('', 'sep', 'Recorder{by}Élan 2\nRate{by}50 Hz\n', '# made by a tool\n', '% größe\n'),
@@ -64,7 +74,9 @@ const file = fc.tuple(tool, rows).map(([way, list]): Written => {
     return clock === 'h:m:s' ? `0:00:${pad(i)}` : number(1000 * (title.endsWith('ms') ? 20 * i : i / 50));
   };
   const above = way.above === 'sep' ? `sep=${by}\n` : way.above.replaceAll('{by}', by);
-  let text = above + [...(index ? [''] : []), title, ...names.slice(1), ...extra].map(cell).join(by) + '\n';
+  const titles = [...(index ? [''] : []), title, ...names.slice(1), ...extra];
+  let text = above + titles.map(cell).join(by) + '\n';
+  if (way.below) text += titles.map(() => cell(way.below)).join(by) + '\n';
   const [lines, gaps]: [number[], number[]] = [[], []];
   for (const [i, { cells, gap, between }] of list.entries()) {
     text += between;
@@ -76,6 +88,7 @@ const file = fc.tuple(tool, rows).map(([way, list]): Written => {
         .map(cell)
         .join(by) + '\n';
   }
+  text += way.end === 'blank rows' ? `${by.repeat(titles.length - 1)}\n`.repeat(2) : way.end;
   return { text: text.replaceAll('\n', eol), lines, gaps };
 });
 
@@ -117,6 +130,15 @@ test('every row is read or named', () => {
       expect(result.skippedRows).toBe(gaps.length);
     }),
     { seed: SEED, numRuns: 300 },
+  );
+});
+
+test('rows and a zero at the beginning of a serial line change nothing', () => {
+  fc.assert(
+    fc.property(file, fc.constantFrom('\0', '\0\0', '\u0001'), ({ text }, noise) => {
+      expect(read(new TextEncoder().encode(noise + text))).toEqual(read(new TextEncoder().encode(text)));
+    }),
+    { seed: SEED, numRuns: 60 },
   );
 });
 

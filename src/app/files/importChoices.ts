@@ -33,7 +33,17 @@ const table =
     Object.entries(value).every(([name, entry]) => text(name) && name !== '__proto__' && check(entry));
 
 const CHECKS: Readonly<Record<keyof ImportChoices, Check>> = {
-  encoding: oneOf('utf-8', 'utf-16le', 'utf-16be', 'windows-1252'),
+  encoding: oneOf(
+    'utf-8',
+    'utf-16le',
+    'utf-16be',
+    'windows-1252',
+    'windows-1250',
+    'windows-1251',
+    'shift_jis',
+    'gb18030',
+    'euc-kr',
+  ),
   separator: oneOf(',', ';', '\t', '|', 'blanks'),
   decimal: oneOf('.', ','),
   headerLine: whole,

@@ -12,7 +12,7 @@ export function jsonTable(text: string): string | null {
     for (const name of flat.keys()) if (!names.has(name)) names.set(name, names.size);
     return flat;
   });
-  if (names.size === 0) return null;
+  if (names.size === 0 || names.size > MOST_NAMES) return null;
   const order = [...names.keys()];
   const lines = rows.map((row) => order.map((name) => cell(row.get(name))).join(','));
   return [order.map(quoted).join(','), ...lines].join('\n') + '\n';
@@ -21,6 +21,9 @@ export function jsonTable(text: string): string | null {
 type Json = Record<string, unknown>;
 const isRecord = (value: unknown): value is Json =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
+/** More would be lists inside records: no columns of a motion. */
+const MOST_NAMES = 2000;
+const LONGEST_LIST = 40;
 /** Deeper records are no row of a table. */
 const DEEPEST = 6;
 
@@ -39,13 +42,22 @@ function recordsOf(text: string): unknown[] | null {
   const { columns, data } = value as { columns?: unknown; data?: unknown };
   if (Array.isArray(columns) && Array.isArray(data))
     return data.map((row) => Object.fromEntries(columns.map((name, i) => [String(name), (row as unknown[])?.[i]])));
-  const arrays = Object.entries(value).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
+  const arrays = arraysIn(value, '', 0);
   const [first] = arrays;
   if (!first) return byIndex(value);
   if (arrays.length === 1 && first[1].every(isRecord)) return first[1];
   const length = first[1].length;
   if (arrays.some(([, values]) => values.length !== length)) return null;
   return Array.from({ length }, (_, i) => Object.fromEntries(arrays.map(([name, values]) => [name, values[i]])));
+}
+
+/** Arrays at any depth, by dotted names: `{time: […], signals: {x: […]}}`. */
+function arraysIn(value: Json, name: string, depth: number): [string, unknown[]][] {
+  return Object.entries(value).flatMap(([key, inner]): [string, unknown[]][] => {
+    const own = name ? `${name}.${key}` : key;
+    if (Array.isArray(inner)) return [[own, inner]];
+    return isRecord(inner) && depth < DEEPEST ? arraysIn(inner, own, depth + 1) : [];
+  });
 }
 
 /** Arrays whose first one holds the names. */
@@ -87,6 +99,7 @@ function flatten(value: unknown, name: string, into: Map<string, unknown>, depth
     into.set(name || 'value', value);
     return;
   }
+  if (Array.isArray(value) && value.length > LONGEST_LIST) return;
   for (const [key, inner] of Object.entries(value)) flatten(inner, name ? `${name}.${key}` : key, into, depth + 1);
 }
 
@@ -100,4 +113,15 @@ function cell(value: unknown): string {
 function quoted(text: string): string {
   const line = text.replace(/[\r\n]+/g, ' ');
   return /[",#]|^\s|\s$/.test(line) ? `"${line.replace(/"/g, '""')}"` : line;
+}
+
+/** Why there is no table: where the JSON is none, or that it has another form. */
+export function whyNoTable(text: string): string {
+  try {
+    JSON.parse(text.replace(/^\ufeff/, ''));
+  } catch (error) {
+    const comma = /,\s*[\]}]\s*$/.test(text.slice(-200)) ? '; a comma stands before the last bracket' : '';
+    return `this JSON can't be read: ${(error as Error).message}${comma}`;
+  }
+  return 'this JSON holds no table; right would be an array of records, [{"t": 0, "x": 0}, …], one record a line, or arrays by name';
 }

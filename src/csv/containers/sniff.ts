@@ -3,6 +3,10 @@ export type Container = { kind: 'text' } | { kind: 'gzip' } | { kind: 'refused';
 
 const decoder = new TextDecoder('latin1');
 
+const ascii = (text: string): number[] => [...text].map((c) => c.charCodeAt(0));
+const R_DATA =
+  'this is R data (.rds, .RData); write the table as CSV in R: write.csv(run, "run.csv", row.names = FALSE)';
+
 /** First bytes, and what to do in the tool that wrote such a file. */
 const KNOWN: readonly { begins: readonly number[]; message: string }[] = [
   {
@@ -50,6 +54,36 @@ const KNOWN: readonly { begins: readonly number[]; message: string }[] = [
     begins: [0x89, 0x4d, 0x43, 0x41, 0x50],
     message: 'this is an MCAP recording; export the topic as CSV in the tool that shows it',
   },
+  {
+    begins: ascii('TDSm'),
+    message:
+      'this is a LabVIEW TDMS file; write it as text: in LabVIEW or DIAdem export as ASCII, in Python nptdms.TdmsFile.read("file").as_dataframe().to_csv("file.csv")',
+  },
+  {
+    begins: ascii('MDF '),
+    message:
+      'this is an MDF measurement file; write it as CSV: in Python asammdf.MDF("file").export("csv", "file.csv")',
+  },
+  {
+    begins: ascii('LOGG'),
+    message: 'this is a CAN log (BLF); decode it with its database (DBC) and export the signals as CSV',
+  },
+  { begins: ascii('ULog'), message: 'this is a PX4 log (ULog); write it as CSV: ulog2csv file.ulg' },
+  {
+    begins: [0xa3, 0x95],
+    message:
+      'this is an ArduPilot log (.bin); write it as CSV: mavlogdump.py --format csv --types ATT file.bin > file.csv',
+  },
+  {
+    begins: ascii('ORC'),
+    message: 'this is an ORC file; write it as CSV: in Python pandas.read_orc("file").to_csv("file.csv", index=False)',
+  },
+  { begins: ascii('Obj\x01'), message: 'this is an Avro file; write it as CSV or as JSON lines' },
+  { begins: ascii('Rar!'), message: 'this is a RAR archive; unpack it first and open the CSV in it' },
+  { begins: ascii('{\\rtf'), message: 'this is a document in rich text (RTF); save the numbers as plain text or CSV' },
+  { begins: ascii('RDX'), message: R_DATA },
+  { begins: ascii('RDA'), message: R_DATA },
+  { begins: [0x58, 0x0a, 0, 0, 0], message: R_DATA },
   { begins: [0x89, 0x50, 0x4e, 0x47], message: 'this is a picture (PNG), no table of numbers' },
   { begins: [0xff, 0xd8, 0xff], message: 'this is a picture (JPEG), no table of numbers' },
 ];
@@ -75,7 +109,28 @@ export function sniff(start: Uint8Array): Container {
       message: 'this is a C3D motion capture file; export the trajectories as CSV or TSV from the capture program',
     };
   const known = KNOWN.find(({ begins: bytes }) => begins(bytes));
-  return known ? { kind: 'refused', message: known.message } : { kind: 'text' };
+  if (known) return { kind: 'refused', message: known.message };
+  if (text.startsWith('ustar', 257))
+    return { kind: 'refused', message: 'this is a tar archive; unpack it first (tar -xf file) and open the CSV in it' };
+  if (start[0] === 0x80 && start[1]! >= 2 && start[1]! <= 5 && (start[2] === 0x95 || start.subarray(0, 64).includes(0)))
+    return {
+      kind: 'refused',
+      message: 'this is a Python pickle; write it as CSV: pandas.read_pickle("file").to_csv("file.csv")',
+    };
+  const marked = markup(text.replace(/^(?:\ufeff|ï»¿)?\s*/, ''));
+  return marked ? { kind: 'refused', message: marked } : { kind: 'text' };
+}
+
+/** Text that is no table of lines. */
+function markup(text: string): string | null {
+  if (/^<(?:!doctype html|html|head|body|table|meta|style)[\s>]/i.test(text))
+    return 'this is an HTML page (some instruments call it .xls); open it in a spreadsheet and save it as CSV';
+  if (/^<\?xml/i.test(text) || (/^<[a-z]/i.test(text) && /<\/[a-z][\w:.-]*>/i.test(text)))
+    return 'this is XML; export the numbers as CSV from the tool that wrote it (a spreadsheet opens XML tables)';
+  // `rostopic echo`: keys and indented values, one message after another.
+  if (/^(?:---\r?\n)?[A-Za-z_]\w*:[ \t]*\r?\n(?:[ \t]+[A-Za-z_]\w*:|-[ \t])/.test(text) && /^---\s*$/m.test(text))
+    return 'this is YAML, as ROS prints messages; write the topic as CSV: rostopic echo -p /topic > file.csv, or ros2 topic echo --csv /topic > file.csv';
+  return null;
 }
 
 function zipped(text: string): string {

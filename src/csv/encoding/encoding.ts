@@ -1,4 +1,6 @@
+import { conceptsIn, isTimePhrase } from '../names/phrases.ts';
 import type { Encoding } from '../plan.ts';
+import { isUnit } from '../units/units.ts';
 
 /** Bytes looked at. */
 const SAMPLE = 65536;
@@ -8,7 +10,7 @@ const FEW = 0.02;
 
 /**
  * By the byte order mark; without one UTF-16 shows in zeros at every second byte, and the rest is UTF-8, or, where that
- * fails, what Windows writes (a superset of Latin-1).
+ * fails, what older programs write in the language whose words it then shows, Western without any.
  */
 export function encodingOf(start: Uint8Array): Encoding {
   if (start[0] === 0xff && start[1] === 0xfe) return 'utf-16le';
@@ -24,6 +26,27 @@ export function encodingOf(start: Uint8Array): Encoding {
     new TextDecoder('utf-8', { fatal: true }).decode(start.subarray(0, SAMPLE), { stream: true });
     return 'utf-8';
   } catch {
-    return 'windows-1252';
+    return olderEncodingOf(start);
   }
+}
+
+/** Tried where a file is neither UTF-8 nor UTF-16; most of Europe writes the first. */
+const OLDER: readonly Encoding[] = ['windows-1252', 'windows-1251', 'windows-1250', 'shift_jis', 'gb18030', 'euc-kr'];
+const HEAD = 4096;
+const NOT_ASCII = /[^\0-\u007f]/;
+
+/** The one in which most names and units of the first lines are known words. */
+function olderEncodingOf(start: Uint8Array): Encoding {
+  let best: { encoding: Encoding; known: number } = { encoding: 'windows-1252', known: 0 };
+  for (const encoding of OLDER) {
+    const cells = new TextDecoder(encoding)
+      .decode(start.subarray(0, HEAD))
+      .split(/[,;|\t\n\r"()[\]]/)
+      .map((cell) => cell.trim())
+      .filter((cell) => cell !== '' && NOT_ASCII.test(cell))
+      .slice(0, 60);
+    const known = cells.filter((cell) => conceptsIn(cell) !== null || isTimePhrase(cell) || isUnit(cell)).length;
+    if (known > best.known) best = { encoding, known };
+  }
+  return best.encoding;
 }

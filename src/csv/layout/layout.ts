@@ -1,4 +1,5 @@
 import type { ImportChoices, Separator } from '../plan.ts';
+import { timeRank } from '../time/timeNames.ts';
 import { isUnit } from '../units/units.ts';
 import { blankTitles, cellsOf, formOf } from './cells.ts';
 import { dressOf, undressed, type Dress } from './dress.ts';
@@ -106,11 +107,12 @@ export function layoutOf(
   let units: string[] | null = null;
   let unitsLine: number | null = null;
   if (titles)
-    for (; next < lines.length && next < body + 3; next++) {
+    for (; next < lines.length && next < body + 4; next++) {
       const { cells, number } = lines[next]!;
-      if (!units && isUnitsBelow(cells)) [units, unitsLine] = [cells, number];
+      if (!units && isUnitsBelow(cells) && !isIndexName(cells, titles))
+        [units, unitsLine] = [unitCells(cells, titles.length), number];
       else if (fillsTitles(cells, titles)) headerLines.push(number);
-      else if (!units || !isRemarks(cells, decimal === ',')) break;
+      else if (next >= first || !isRemarks(cells, decimal === ',')) break;
     }
   const above = header > 0 ? lines[header - 1]! : null;
   // Markers' files name the axes below: `Frame#, Time, front` above `, , X1, Y1, Z1`.
@@ -207,7 +209,13 @@ function areRowNames(rows: readonly string[][]): boolean {
 /** R's tables have one title less than columns: the first holds the rows' names. */
 function widthWith(titles: string[], rows: readonly string[][]): number {
   const longer = rows.filter((row) => row.length === titles.length + 1 && row.at(-1)!.trim() !== '').length;
-  if (rows.length > 0 && longer === rows.length && titles.every((title) => title.trim() !== '') && areRowNames(rows))
+  const led = (): boolean => rows.every((row) => row[0]!.trim() === '');
+  if (
+    rows.length > 0 &&
+    longer === rows.length &&
+    titles.every((title) => title.trim() !== '') &&
+    (areRowNames(rows) || led())
+  )
     titles.unshift('');
   return titles.length;
 }
@@ -241,7 +249,25 @@ function firstRowOf(lines: readonly Line[], comma: boolean): number {
 }
 
 function titlesOf({ text, cells }: Line, row: Line | undefined, separator: Separator): string[] {
-  return separator === 'blanks' && row ? blankTitles(text, trimmed(row.cells)) : [...cells];
+  if (separator === 'blanks' && row) return blankTitles(text, trimmed(row.cells));
+  const width = row ? trimmed(row.cells) : cells.length;
+  const joined = cells.length > width ? withUnits(cells) : cells;
+  if (joined.length === width && joined !== cells) return joined;
+  // `ChannelTitle=` before the names is none of them.
+  const [key, ...names] = cells;
+  if (!/^[A-Za-z][\w ]{2,30}=$/.test(key!.trim())) return [...cells];
+  return row && trimmed(row.cells) < cells.length ? names : ['', ...names];
+}
+
+/** `x, mm` between commas, and no quotes: a unit belongs to the name before. */
+function withUnits(cells: readonly string[]): string[] {
+  const joined: string[] = [];
+  for (let i = 0; i < cells.length; i++) {
+    const unit = (cells[i + 1] ?? '').trim();
+    const has = cells[i]!.trim() !== '' && unit !== '' && isUnit(unit);
+    joined.push(has ? `${cells[i++]!} [${unit}]` : cells[i]!);
+  }
+  return joined;
 }
 
 /** Index of the line with the names, or -1. */
@@ -316,13 +342,16 @@ function commentedHeader(
   return null;
 }
 
-/** A line of words below the units: descriptions, places, types. */
+/** A line of words below the names: descriptions, places, types, ranges behind their word (`Range=`); rules. */
 const isRemarks = (cells: readonly string[], comma: boolean): boolean =>
-  cells.some((cell) => formOf(cell, comma) === 'text') &&
-  cells.every((cell) => /^(?:text|missing)$/.test(formOf(cell, comma)));
+  /^[A-Za-z][\w ]{2,30}[=:]$/.test(cells[0]!.trim()) ||
+  cells.every((cell) => /^[-_=]{3,}$/.test(cell.trim())) ||
+  (cells.some((cell) => formOf(cell, comma) === 'text') &&
+    cells.every((cell) => /^(?:text|missing)$/.test(formOf(cell, comma))));
 
 /** What stands before a row of units as its name. */
-const UNITS_KEY = /^\W*(?:units?|einheit(?:en)?|unit[ée]s?|unidad(?:es)?|unit[aà]|eenheid|jednostka)\W*$/i;
+const UNITS_KEY =
+  /^\W*(?:units?|unit ?names?|units? ?labels?|einheit(?:en)?|unit[ée]s?|unidad(?:es)?|unit[aà]|eenheid|jednostka)\W*$/i;
 
 /** What stands in a row of units for a column that has none. */
 const UNITLESS = /^[[(]?(?:dimensionless|none|text|bool|unitless|quat|[-–—1])?[\])]?$/i;
@@ -353,9 +382,23 @@ function isUnitsBelow(cells: readonly string[]): boolean {
   );
 }
 
+/** Without the word that stands before them, in a column of its own or in that of the first title. */
+function unitCells(cells: readonly string[], width: number): string[] {
+  if (!UNITS_KEY.test(cells[0]!)) return [...cells];
+  return cells.length > width ? cells.slice(1) : ['', ...cells.slice(1)];
+}
+
+/** Where the levels of names have names too, the index's stands in a line of its own (pandas). */
+const isIndexName = (cells: readonly string[], titles: readonly string[]): boolean =>
+  titles.length > 2 && timeRank(cells[0]!) !== null && cells.slice(1).every((cell) => cell.trim() === '');
+
 /** pandas writes an index's name in a line of its own: it fills gaps of the titles. */
 function fillsTitles(cells: readonly string[], titles: string[]): boolean {
   const filled = cells.flatMap((cell, i) => (cell.trim() === '' ? [] : [i]));
+  if (isIndexName(cells, titles)) {
+    titles[0] = cells[0]!;
+    return true;
+  }
   const fits =
     filled.length > 0 && filled.every((i) => (titles[i] ?? 'x').trim() === '' && formOf(cells[i]!, false) === 'text');
   if (fits) for (const i of filled) titles[i] = cells[i]!;
@@ -367,7 +410,7 @@ function fillsFromAbove(cells: readonly string[], titles: string[]): boolean {
   const empty = titles.findIndex((title) => title.trim() !== '');
   if (empty < 1) return false;
   const first = cells.slice(0, empty);
-  if (!first.every((cell) => formOf(cell, false) === 'text')) return false;
+  if (!first.every((cell) => formOf(cell, false) === 'text' && !/[=:]$/.test(cell.trim()))) return false;
   for (const [i, cell] of first.entries()) titles[i] = cell;
   return true;
 }

@@ -64,14 +64,15 @@ export function unstamped(text: string, separator: Separator): string {
 export function unbracketed(text: string): string {
   return text
     .split('\n')
-    .map((line) =>
-      line.length > LONGEST_BRACKETED
-        ? line
-        : RULE.test(line)
-          ? ''
-          : line.replace(/^\s*(?:[[({]+|\|)\s?/, '').replace(/(?:[\])}][\s,;\])}]*|\s*\|)\s*$/, ''),
-    )
+    .map((line) => (line.length > LONGEST_BRACKETED ? line : RULE.test(line) ? '' : unwrapped(line)))
     .join('\n');
+}
+
+/** A bar at one end alone stands before or behind an empty cell; what was opened inside a line is not closed behind it. */
+function unwrapped(line: string): string {
+  const bars = /^\s*\|\s?(.*?)\s*\|\s*$/.exec(line);
+  if (bars) return bars[1]!;
+  return /^\s*[[({]/.test(line) ? line.replace(/^\s*[[({]+\s?/, '').replace(/[\])}][\s,;\])}]*$/, '') : line;
 }
 
 /** Without their stamps. */

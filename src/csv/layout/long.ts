@@ -1,7 +1,8 @@
 import type { ImportPlan } from '../plan.ts';
 import type { Source } from '../source.ts';
 import { formOf } from './cells.ts';
-import type { Layout } from './layout.ts';
+import { unitInRow, type Layout } from './layout.ts';
+import { isUnit } from '../units/units.ts';
 
 /** More names would be no columns of a motion. */
 const MOST_NAMES = 200;
@@ -30,6 +31,7 @@ export function longOf(layout: Layout, sources: readonly Source[], time: number 
     (f) =>
       f.index !== time &&
       f.texts > 0.9 &&
+      ![...f.distinct].every(isUnit) &&
       f.distinct.size >= 2 &&
       f.distinct.size <= Math.min(MOST_NAMES, layout.rows.length / 2),
   );
@@ -39,6 +41,24 @@ export function longOf(layout: Layout, sources: readonly Source[], time: number 
   const name = names.sort((a, b) => b.distinct.size - a.distinct.size)[0];
   if (!name || !value || values.length > 2) return null;
   return { time, name: name.index, value: value.index, names: [...name.distinct] };
+}
+
+/** The unit beside the values of each name, where a column holds it; '' for none. */
+export function longUnits(layout: Layout, long: NonNullable<ImportPlan['long']>): string[] {
+  for (let column = 0; column < layout.width; column++) {
+    if (column === long.time || column === long.name || column === long.value) continue;
+    const units = new Map<string, Set<string>>();
+    for (const row of layout.rows) {
+      const name = (row[long.name] ?? '').trim();
+      const known = units.get(name) ?? new Set<string>();
+      units.set(name, known.add((row[column] ?? '').trim()));
+    }
+    const one = [...units.values()].every((known) => known.size === 1);
+    const all = [...units.values()].flatMap((known) => [...known]).filter((unit) => unitInRow(unit) !== '');
+    if (one && all.length > 0 && all.every(isUnit))
+      return long.names.map((name) => unitInRow([...(units.get(name) ?? [''])][0]!));
+  }
+  return long.names.map(() => '');
 }
 
 /** Turns rows of a long table into rows with a cell for each name: those of one time are one row. */

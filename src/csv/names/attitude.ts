@@ -9,7 +9,8 @@ export interface Attitude {
 }
 
 const WORDS = '(?:q|quat|quaternion|orientation|rotation|rot|attitude|att)';
-const LETTER_LAST = new RegExp(`^(.*?)${WORDS}[\\s._:/-]*([wxyzijkr])$`, 'i');
+/** Frames may stand between, `q_RS_w`. */
+const LETTER_LAST = new RegExp(`^(.*?)${WORDS}((?:_[a-z0-9]+){0,3}?)[\\s._:/-]*([wxyzijkr])$`, 'i');
 const LETTER_FIRST = new RegExp(`^(.*?)([wxyz])[\\s._-]*${WORDS}$`, 'i');
 const DIGIT = new RegExp(`^(.*?)${WORDS}[\\s._:/-]*(?:q|e)?[[(]?([0-4])[\\])]?$`, 'i');
 const LETTERS: Record<string, 'x' | 'y' | 'z' | 'w'> = {
@@ -38,8 +39,10 @@ export function attitudesIn(names: readonly string[], euler: string | null): Att
   };
   for (const [column, name] of names.entries()) {
     if (name.length > 80) continue;
-    const letter = LETTER_LAST.exec(name) ?? LETTER_FIRST.exec(name);
-    if (letter) put(lettered, letter[1]!.toLowerCase(), LETTERS[letter[2]!.toLowerCase()]!, column);
+    const last = LETTER_LAST.exec(name);
+    const letter = last ?? LETTER_FIRST.exec(name);
+    const key = last ? last[1]! + last[2]! : letter?.[1];
+    if (letter) put(lettered, key!.toLowerCase(), LETTERS[letter.at(-1)!.toLowerCase()]!, column);
     const digit = DIGIT.exec(name);
     if (digit) put(numbered, digit[1]!.toLowerCase(), +digit[2]!, column);
     if (digit && /[.[]\d\]?$/.test(name)) indexed.add(digit[1]!.toLowerCase());

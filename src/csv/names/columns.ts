@@ -1,7 +1,7 @@
 import type { ColumnPlan, ImportChoices } from '../plan.ts';
 import type { Property } from '../layout/preamble.ts';
 import type { Source } from '../source.ts';
-import { factorOf, kindOf, RIGHT_UNITS, type Kind } from '../units/units.ts';
+import { factorOf, isUnit, kindOf, RIGHT_UNITS, type Kind } from '../units/units.ts';
 import { shortened, splitTitle, unitBehind } from '../units/titles.ts';
 import { defaultUnit } from '../units/defaults.ts';
 import type { Attitude } from './attitude.ts';
@@ -136,7 +136,9 @@ export function dataColumns(
     const unit =
       chosen ?? (source.unit || source.rowUnit || (behind && /[/:,\s]/.test(source.name) ? behind.unit : ''));
     const kind = kindOf(unit) ?? 'plain';
-    let name = behind && unit === behind.unit ? behind.name : source.name;
+    // `V(out)`: what stands in brackets is no unit, and tells columns apart.
+    const whole = source.unit !== '' && unit === source.unit && !isUnit(unit);
+    let name = whole ? source.title : behind && unit === behind.unit ? behind.name : source.name;
     if (taken.has(name)) name = `${name} (${source.index + 1})`;
     taken.add(name);
     const unitFrom =

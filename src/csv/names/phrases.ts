@@ -134,7 +134,9 @@ export function phrasesOf(meta: SystemMeta): (name: string) => { name: string; r
   });
   return (name) => {
     const found = conceptsIn(name);
-    if (!found || ![...found].some((c) => c === 'rate' || isMeasured(c))) return null;
+    // Of a plate or a caster in front the angle is meant, also unsaid.
+    const sided = found && (found.has('front') || found.has('rear')) && (found.has('board') || found.has('caster'));
+    if (!found || !(sided || [...found].some((c) => c === 'rate' || isMeasured(c)))) return null;
     const rate = found.has('rate');
     const kind = [...found].some((c) => PLACES.includes(c))
       ? 'length'

@@ -2,7 +2,7 @@ import type { SystemMeta } from '../../core/model/system.ts';
 import { factorOf, type Kind } from '../units/units.ts';
 import { splitTitle, unitBehind, unitsBehind } from '../units/titles.ts';
 import { phrasesOf } from './phrases.ts';
-import { plainName, ratesOf, withoutPrefix, withoutSuffix } from './plainName.ts';
+import { isOtherQuantity, plainName, ratesOf, withoutPrefix, withoutSuffix } from './plainName.ts';
 import { isDateName, isFrameName, timeRank } from '../time/timeNames.ts';
 
 export type Systems = Readonly<Record<string, SystemMeta>>;
@@ -124,9 +124,13 @@ function named(name: string, unit: string, vocabulary: Vocabulary, rank: number)
     const hit = named(behind.name, behind.unit, vocabulary, rank + 1);
     if (hit && factorOf(behind.unit, hit.word.kind) !== undefined) return hit;
   }
+  // `p_RS_R_x`: frames between.
+  const framed = /^(?:p|pos|position|trans|translation)(?:_[a-z0-9]+){1,3}_([xyz])$/i.exec(name)?.[1];
+  if (framed) return named(framed, unit, vocabulary, rank + 3);
   const whole = withoutSuffix(name);
   if (whole) return named(whole, unit, vocabulary, rank + 1);
   const last = rank < 10 ? withoutPrefix(name) : null;
+  if (last && isOtherQuantity(name.slice(0, -last.length))) return null;
   if (last) return named(last, unit, vocabulary, rank + 10);
   // `x1`, `theta_2`: one of several bodies, in a system whose coordinates could not be mistaken for it.
   const numbered = rank < 20 && vocabulary.coordinates > 1 ? /^(.*[a-zα-ω])_?\d{1,2}$/i.exec(name) : null;

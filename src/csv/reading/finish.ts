@@ -7,6 +7,7 @@ import { doubtsOf } from '../units/doubts.ts';
 import { anglesOf, quaternionsOf, unwrap } from './angles.ts';
 import { ratesOf } from './rates.ts';
 import { filled } from './sparse.ts';
+import { missingRows } from './sentinels.ts';
 import type { RowStore } from './rows.ts';
 import type { CsvResult } from './result.ts';
 
@@ -35,6 +36,8 @@ export function finishMotion(
   plan: ImportPlan,
   { choices, scenario, notes, system }: Finishing,
 ): CsvResult {
+  // A run of this program has none.
+  if (scenario === null) withoutSentinels(store, plan, notes);
   const { runs } = inOrder(store, plan.time.form, choices, notes);
   if (plan.sparse) betweenOwnValues(store, plan, notes);
   let columns = store.uses.map((use) => use.name);
@@ -63,6 +66,24 @@ export function finishMotion(
     plan: { ...plan, runs: runs.length, run: runs.length > 1 ? Math.min(choices.run ?? 1, runs.length) : null },
     scenario,
   };
+}
+
+/** Rows whose numbers stand for missing ones are left out, and named. */
+function withoutSentinels(store: RowStore, plan: ImportPlan, notes: string[]): void {
+  if (plan.system === null) return;
+  const data = store.columns();
+  const factors = new Map(plan.columns.filter((c) => c.role === 'coordinate').map((c) => [c.name!, c.factor] as const));
+  const measured = store.uses.flatMap((use, i) =>
+    factors.has(use.name) ? [{ data: data[i]!, factor: factors.get(use.name)! }] : [],
+  );
+  const found = missingRows(measured);
+  if (!found) return;
+  const out = new Set(found.rows);
+  for (const row of out) store.skip(store.lineOf(row), '', `${found.value} stands for a missing value`);
+  store.reorder(Int32Array.from({ length: store.rows }, (_, i) => i).filter((row) => !out.has(row)));
+  notes.push(
+    `${found.value} stands for a missing value: ${out.size} ${out.size === 1 ? 'row is' : 'rows are'} left out`,
+  );
 }
 
 function inOrder(store: RowStore, form: TimeForm, choices: ImportChoices, notes: string[]): { runs: number[] } {

@@ -50,9 +50,11 @@ export class RowStore {
   /** Rows of numbers seen, usable or not: time is counted over all of them. */
   private seen = 0;
   /** First rows and lines of stretches whose lines follow one another. */
-  private readonly stretches: { row: number; line: number }[] = [];
+  private stretches: { row: number; line: number }[] = [];
   /** Line of a row that would go on with the last stretch. */
   private nextLine = -1;
+  /** Lines of separators alone: behind the last row they are nothing. */
+  private blank: number[] = [];
 
   constructor(uses: readonly ColumnUse[], options: StoreOptions) {
     this.uses = uses;
@@ -69,6 +71,11 @@ export class RowStore {
     const counted = step === null ? 0 : this.seen * step;
     this.seen++;
     const { uses, current } = this;
+    if ((cells[0] ?? '').trim() === '' && cells.every((cell) => cell.trim() === '')) {
+      this.blank.push(line);
+      return;
+    }
+    if (this.blank.length > 0) this.nameBlank();
     if (cells.length !== this.width && !this.fits(cells, line)) return;
     for (let c = 0; c < uses.length; c++) {
       const use = uses[c]!;
@@ -92,6 +99,7 @@ export class RowStore {
 
   /** A row with a finite number in every column of the file. */
   numbers(values: Float64Array, line: number): void {
+    if (this.blank.length > 0) this.nameBlank();
     const { places, factors } = this;
     const [data, row] = [this.data, this.place(line)];
     for (let c = 0; c < places.length; c++) {
@@ -120,11 +128,13 @@ export class RowStore {
 
   /** Leaves rows in another order, or fewer of them. */
   reorder(rows: Int32Array): void {
+    const lines = Array.from(rows, (row) => this.lineOf(row));
     for (const column of this.data) {
       const old = column.slice(0, this.rows);
       for (let i = 0; i < rows.length; i++) column[i] = old[rows[i]!]!;
     }
     this.rows = rows.length;
+    this.stretches = lines.flatMap((line, row) => (row > 0 && line === lines[row - 1]! + 1 ? [] : [{ row, line }]));
   }
 
   /** Names a row that is not used. */
@@ -146,6 +156,11 @@ export class RowStore {
   /** So many rows are to be expected: room for them is made at once. */
   expect(rows: number): void {
     this.expected = Math.min(rows, MOST_NUMBERS / this.uses.length);
+  }
+
+  private nameBlank(): void {
+    for (const line of this.blank) this.skip(line, '', 'the row is empty');
+    this.blank = [];
   }
 
   /** Nothing but a time. */
@@ -177,7 +192,6 @@ export class RowStore {
     if (this.retry(cells, line)) return false;
     const reason = (): string => reasonFor(cell, cells.length, this.width, this.options.decimalComma);
     if (use.needed) {
-      if (cells.every((c) => c.trim() === '')) return this.skip(line, '', 'the row is empty');
       return this.skip(line, use.title, use.index < 0 ? 'there is no time' : reason());
     }
     if (cell !== undefined && !isMissing(cell))

@@ -1,5 +1,5 @@
 import { unpacked } from '../containers/gzip.ts';
-import { jsonTable } from '../containers/json.ts';
+import { jsonTable, whyNoTable } from '../containers/json.ts';
 import { sniff } from '../containers/sniff.ts';
 import type { Understanding } from '../plan.ts';
 import { ENOUGH_TO_DECIDE, understand, understandText, type UnderstandOptions } from '../understand.ts';
@@ -13,8 +13,6 @@ export type Bytes = ReadableStream<Uint8Array<ArrayBuffer>>;
 const LARGEST_JSON = 300e6;
 /** Bytes by which a container is known. */
 const ENOUGH_TO_KNOW = 512;
-const NO_TABLE =
-  'this JSON holds no table; right would be an array of records, [{"t": 0, "x": 0}, …], one record a line, or arrays by name';
 
 export interface StreamOptions extends CsvOptions {
   /** Of the file in bytes, where it is known. */
@@ -30,8 +28,7 @@ export async function readStream(stream: Bytes, options: StreamOptions): Promise
   if (opened.json) {
     const text = await textOf(opened.pieces, LARGEST_JSON);
     const table = text === null ? null : jsonTable(text);
-    if (table === null)
-      return refusal(text === null ? `this JSON is larger than ${LARGEST_JSON / 1e6} MB; write it as CSV` : NO_TABLE);
+    if (table === null) return refusal(whyNoJson(text));
     const reader = new CsvReader(options);
     for (let at = 0; at < table.length; at += 1 << 20) reader.push(table.slice(at, at + (1 << 20)));
     return reader.finish();
@@ -64,7 +61,7 @@ export async function understandStream(stream: Bytes, options: UnderstandOptions
     const text = await textOf(opened.pieces, LARGEST_JSON);
     const table = text === null ? null : jsonTable(text);
     return table === null
-      ? { kind: 'refused', line: 0, message: NO_TABLE }
+      ? { kind: 'refused', line: 0, message: whyNoJson(text) }
       : understandText(table.slice(0, table.indexOf('\n', ENOUGH_TO_DECIDE) + 1 || table.length), 'utf-8', options);
   }
   const parts: Uint8Array[] = [];
@@ -181,6 +178,9 @@ function joined(parts: readonly Uint8Array[]): Uint8Array {
   }
   return whole;
 }
+
+const whyNoJson = (text: string | null): string =>
+  text === null ? `this JSON is larger than ${LARGEST_JSON / 1e6} MB; write it as CSV` : whyNoTable(text);
 
 function refusal(message: string): CsvResult {
   return { kind: 'unusable', issues: [{ line: 0, column: '', message }] };

@@ -23,6 +23,18 @@ function isBlank(cell: string): boolean {
   return true;
 }
 
+/** Share of control characters from which it is no text; a serial line may begin with a few. */
+const FEW_CONTROLS = 0.02;
+
+function isBinary(start: string): boolean {
+  let controls = 0;
+  for (let i = 0; i < start.length; i++) {
+    const code = start.charCodeAt(i);
+    if (code < 9 || (code > 13 && code < 32 && code !== 26)) controls++;
+  }
+  return controls > Math.max(2, FEW_CONTROLS * start.length);
+}
+
 /**
  * Reads CSV text, given in pieces, into columns: it is understood from its beginning, then read row by row without
  * keeping cells. Never throws for bad input: `finish` says what could not be used, and why.
@@ -52,8 +64,9 @@ export class CsvReader {
 
   push(piece: string): void {
     if (this.ended || piece === '') return;
-    const text = this.started || piece.charCodeAt(0) !== 0xfeff ? piece : piece.slice(1);
-    this.started = true;
+    // A mark of the encoding, or what a serial line gives when it is opened.
+    const text = this.started ? piece : piece.replace(/^[\0-\u0008\ufeff]+/, '');
+    this.started ||= text !== '';
     this.undecided += this.source.push(text);
     if (this.source.waiting > LONGEST_LINE)
       return this.refuse(
@@ -141,7 +154,15 @@ export class CsvReader {
     if (this.store)
       return {
         kind: 'unusable',
-        issues: [{ line: 0, column: '', message: 'no row could be used' }, ...this.store.sortedIssues()],
+        issues: [
+          {
+            line: 0,
+            column: '',
+            message:
+              this.store.skipped > 0 ? 'no row could be used' : 'there are names, and no rows of numbers below them',
+          },
+          ...this.store.sortedIssues(),
+        ],
       };
     return { kind: 'unusable', issues: [{ line: 0, column: '', message: 'there are no rows of numbers' }] };
   }
@@ -151,13 +172,7 @@ export class CsvReader {
     const text = this.undecided;
     if (text === '') return;
     // A logger without power leaves zeros at the end: those are no text, and no sign of another kind of file.
-    if (
-      !this.understood &&
-      text
-        .slice(0, 4096)
-        .replace(/\n\0[\0\s]*$/, '')
-        .includes('\0')
-    )
+    if (!this.understood && isBinary(text.slice(0, 4096).replace(/\n\0[\0\s]*$/, '')))
       return this.refuse(0, '', 'this is no text file (or not UTF-8 text); save it as CSV, UTF-8');
     if (!this.understood) {
       const end = last ? text.length : text.indexOf('\n', ENOUGH_TO_DECIDE - 1) + 1;

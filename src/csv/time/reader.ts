@@ -24,6 +24,14 @@ export function timeReaderOf(time: TimePlan, choices: ImportChoices, comma: bool
         return (frame - base) * time.factor;
       };
     }
+    case 'steps': {
+      let sum: number | null = null;
+      return (cells) => {
+        const step = readNumber(cells[first] ?? '', comma) * time.factor;
+        if (step === step) sum = sum === null ? 0 : sum + step;
+        return step === step ? sum! : NaN;
+      };
+    }
     case 'compact clock': {
       let [base, last, days]: [number | null, number, number] = [null, -Infinity, 0];
       return (cells) => {

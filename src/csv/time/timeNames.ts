@@ -1,9 +1,10 @@
 import { isTimePhrase } from '../names/phrases.ts';
 import { plainName } from '../names/plainName.ts';
+import { unitBehind } from '../units/titles.ts';
 
 /** Names of a time, in the commoner languages of Europe; the unit is another matter. */
 const TIMES = new Set(
-  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος 时间 時間 時刻 时刻 시간 messzeit zeitachse laufzeit verstrichenezeit tempsecoule tempodecorrido tiempotranscurrido tempotrascorso timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unix unixtime unixtimestamp epochtime epoch hora heure uhrzeit ora godzina timeofday time1'.split(
+  'zeit zeitpunkt temps tiempo tempo tijd tid tidspunkt czas cas aika ido vreme vrijeme laikas laiks aeg zaman время час χρονος 时间 時間 時刻 时刻 시간 messzeit zeitachse laufzeit verstrichenezeit tempsecoule tempodecorrido tiempotranscurrido tempotrascorso timp elapsed elapsedtime secondselapsed timeelapsed seconds secs sec second millis micros timestamp timestamps stamp clock datetime dateandtime zeitstempel horodatage datumzeit runtime simtime simulationtime xvalue tvsec tsec timesec utc utctime unix unixtime unixtimestamp epochtime epoch hora heure uhrzeit ora godzina timeofday time1 ts'.split(
     ' ',
   ),
 );
@@ -31,6 +32,10 @@ export function timeRank(name: string): number | null {
 
 export const isDateName = (name: string): boolean => DATES.has(plainName(name));
 export const isFrameName = (name: string): boolean => FRAMES.has(plainName(name));
+/** A row's own duration. */
+const STEP = /^(?:dt|deltat|deltatime|timestep|δt|∆t|elapsedsincelast)$/;
+export const isStepName = (name: string): boolean =>
+  STEP.test(plainName(name)) || STEP.test(plainName(unitBehind(name)?.name ?? ''));
 export const isIndexName = (name: string): boolean => INDICES.has(plainName(name));
 
 /** What a column of a date or a clock counts, where each part has its own. */

@@ -15,6 +15,7 @@ import {
   isFrameName,
   isIndexName,
   isRestOfSecond,
+  isStepName,
   timeRank,
   unitInTimeName,
 } from './timeNames.ts';
@@ -94,13 +95,24 @@ export function timeOf(layout: Layout, sources: readonly Source[], choices: Impo
     return rest ? parted(usable[0].source, rest) : single(usable[0], choices, comma);
   }
   if (dates) return single(dates, choices, comma);
-  const count = named.find((c) => isDateName(c.source.name) && c.numbers > 0.5 && countsDays(c.cells, comma));
+  const count = named.find(
+    (c) => isDateName(c.source.name) && c.numbers > 0.5 && (countsDays(c.cells, comma) || sinceEpoch(c.cells, comma)),
+  );
   if (count) return single(count, choices, comma);
   const others = sources.map(column).find((c) => c.moments > 0.8 && (c.clocks > 0.8 || c.dates < 0.5));
   if (others) return single(others, choices, comma);
   // Named a time, but without a number that shows it: the rows will say why.
   const empty = named.find((c) => c.rank <= 1);
   if (empty && (empty.cells.length > 0 || stepOf(layout.properties) === null)) return single(empty, choices, comma);
+  const steps = choices.step === undefined ? sources.find((s) => isStepName(s.name)) : undefined;
+  if (steps && column(steps).numbers > 0.9) {
+    const found = single(column(steps), choices, comma);
+    if (typeof found === 'string') return found;
+    const { unit, factor } = found.time;
+    const each = finding([steps.index], 'steps', unit, factor, []);
+    each.notes.push(`"${steps.title}" holds the time since the row before: it is summed`);
+    return each;
+  }
   const rising = choices.step === undefined ? unnamedTime(layout, sources, comma) : null;
   if (rising) {
     const found = single(column(rising), choices, comma);
@@ -142,6 +154,7 @@ function parted(seconds: Source, rest: Source): TimeFinding {
 
 /** The surer, the lower; 9 where nothing tells of time. */
 function rankOf(source: Source): number {
+  if (isStepName(source.name)) return 9;
   const { name, unit, rowUnit } = source;
   const last = name.split('.').at(-1)!;
   const rank =
@@ -192,6 +205,11 @@ function single(column: Column, choices: ImportChoices, comma: boolean): TimeFin
     return finding([index], 'compact clock', '', 1, []);
   const questions = unit === '' && typicalStep(values) > 1 ? [unitQuestion(source, typicalStep(values))] : [];
   return finding([index], 'number', unit, factor, questions);
+}
+
+function sinceEpoch(cells: readonly string[], comma: boolean): boolean {
+  const values = cells.map((cell) => readNumber(cell, comma)).filter((x) => x === x);
+  return values.length > 1 && values.every((x) => epochUnit(x) !== null);
 }
 
 function countsDays(cells: readonly string[], comma: boolean): boolean {

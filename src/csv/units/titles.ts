@@ -14,6 +14,18 @@ export interface Title {
 
 /** `der(x)`, `board.der(x)`, `d(x)/dt`: brackets that belong to the name. */
 const FUNCTION = /(?:^|[.\s/:])(?:der|d|diff|ddt|dot)\s*$/i;
+/** `pos[0]`: a part of an array. */
+const INDEXED = /^[A-Za-z_]\w+\[\d\]$/;
+/** As LaTeX sets it: `$\\dot{\\theta}_{fc}$`. */
+const unset = (title: string): string =>
+  /[$\\]/.test(title)
+    ? title
+        .replace(/\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?((?:_\{?\w+\}?)?)/g, '$1$2_dot')
+        .replace(/\\(?:mathrm|text|mathit|rm|,|;|left|right)(?![a-z])/g, '')
+        .replace(/[$\\{}]/g, '')
+        .replace(/\s+/g, ' ')
+        .trim()
+    : title;
 /** `x(t)`, `x[t]`, `x'[t]`: of time, which is no unit. */
 const OF_TIME = /\s*(?:\(t\)|\[t\])$/;
 /** `yawDeg`, `xMm`: the unit is the last word of a name in camel case. */
@@ -23,10 +35,12 @@ const LAST_WORD =
 /** Splits `alpha [deg]` and `time (s)` into name and unit: what stands in brackets is the unit, understood or not. */
 export function splitTitle(title: string): Title {
   if (title.length > LONGEST_TITLE) return { name: '', unit: '' };
-  const line = title.trim().replace(/\s+/g, ' ');
+  const line = unset(title.trim().replace(/\s+/g, ' '));
+  if (INDEXED.test(line)) return { name: line, unit: '' };
   if (OF_TIME.test(line)) return { name: line.replace(OF_TIME, ''), unit: '' };
   const match = BRACKETED.exec(line);
   if (!match || FUNCTION.test(match[1]!)) return { name: line, unit: '' };
+  if (match[1]!.trim() === '') return { name: match[2]!.trim(), unit: '' };
   // ISO 80000 writes `v/(m/s)`.
   return { name: match[1]!.replace(/[\s/:,]+$/, ''), unit: match[2]!.trim() };
 }

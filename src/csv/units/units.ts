@@ -110,6 +110,9 @@ const WORDS = new Map([
   ...words('us', 'мкс microsegundos microsecondi microseconden microsecondes mikrosekunden 微秒 マイクロ秒'),
   ...words('ns', 'нс nanosegundos nanosecondi nanosecondes nanosekunden 纳秒'),
   ...words('min', 'мин minuti minutos minuty 分 分钟'),
+  // Signs that a wrong character set made of a degree, and an inch's.
+  ...words('deg', 'â° ¡ ø ﾟ \ufffd ï¿½'),
+  ...words('in', '" ″ ”'),
   ...words('h', 'ч час godziny horas heures ore uren 时 時 小时'),
 ]);
 

@@ -47,7 +47,6 @@ export async function ridePicture(browser, address) {
   const file = join(mkdtempSync(join(tmpdir(), 'ride-')), 'ride.json');
   writeFileSync(file, JSON.stringify(RIDE));
   await page.locator('input[type=file]').first().setInputFiles(file);
-  await page.waitForFunction(() => window.ripstikScene.stats().bodies === 6, undefined, { timeout: 60_000 });
   await page.waitForFunction(
     ([end, until]) => parseFloat(document.querySelector(end).textContent) === until,
     [id('end-time'), RIDE.duration],

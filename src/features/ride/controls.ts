@@ -1,6 +1,13 @@
 /** What keys, pads, a gamepad and a tilt ask for becomes commands: only what has changed is told. */
 
-export type Told = 'twist' | 'lean' | 'pump' | 'push' | 'brake';
+export type Told = 'twist' | 'lean' | 'pump' | 'push' | 'brake' | 'crouch' | 'hips';
+
+/** Nothing is asked for. */
+const REST: Readonly<Record<Told, number>> = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0, crouch: 0, hips: 0 };
+/** Of these to both sides. */
+const SIDED: readonly Told[] = ['twist', 'lean', 'hips'];
+/** For a rider whose legs and hips are free. */
+const BODY: readonly Told[] = ['crouch', 'hips'];
 
 /** Keys that are held, and what they ask for. */
 const HELD: Readonly<Record<string, readonly [Told, number]>> = {
@@ -13,6 +20,9 @@ const HELD: Readonly<Record<string, readonly [Told, number]>> = {
   ' ': ['pump', 1],
   ArrowDown: ['brake', 1],
   s: ['brake', 1],
+  c: ['crouch', 1],
+  q: ['hips', 1],
+  e: ['hips', -1],
 };
 
 /** An axis is told in steps of this, so that a hand that trembles says nothing. */
@@ -35,8 +45,10 @@ const nameOf = ({ key }: Key): string => (key.length === 1 ? key.toLowerCase() :
 
 export class Controls {
   private readonly held = new Set<string>();
-  private readonly analog = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
-  private readonly told = { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 };
+  /** Whether legs and hips can be told something. */
+  body = false;
+  private readonly analog = { ...REST };
+  private readonly told = { ...REST };
   /** A gamepad held something a moment ago. */
   private padded = false;
   private readonly tell: Tell;
@@ -48,7 +60,7 @@ export class Controls {
   /** @returns whether it is a key of the ride */
   press(event: Key): boolean {
     const key = nameOf(event);
-    if (!HELD[key]) return false;
+    if (!HELD[key] || (!this.body && BODY.includes(HELD[key][0]))) return false;
     this.held.add(key);
     this.update(event.timeStamp);
     return true;
@@ -62,14 +74,14 @@ export class Controls {
 
   releaseAll(): void {
     this.held.clear();
-    Object.assign(this.analog, { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 });
+    Object.assign(this.analog, REST);
     this.update();
   }
 
   /** Nothing of what was told before holds for a ride that begins. */
   forget(): void {
     this.held.clear();
-    Object.assign(this.told, { twist: 0, lean: 0, pump: 0, push: 0, brake: 0 });
+    Object.assign(this.told, REST);
   }
 
   /** Those that the browser knows of; one that is pulled out lets go. */
@@ -92,6 +104,9 @@ export class Controls {
       pump: pad.buttons[7]?.value ?? 0,
       brake: pad.buttons[6]?.value ?? 0,
       push: pad.buttons[0]?.value ?? 0,
+      // The right stick pulled down, or the second button; the shoulders' buttons.
+      crouch: Math.max(0, -axis(3), pad.buttons[1]?.value ?? 0),
+      hips: (pad.buttons[4]?.value ?? 0) - (pad.buttons[5]?.value ?? 0),
     });
     this.update();
   }
@@ -109,7 +124,8 @@ export class Controls {
       now[name] += value;
     }
     for (const name of Object.keys(now) as Told[]) {
-      const least = name === 'twist' || name === 'lean' ? -1 : 0;
+      if (!this.body && BODY.includes(name)) continue;
+      const least = SIDED.includes(name) ? -1 : 0;
       const value = Math.max(least, Math.min(1, Math.round(now[name] / STEP) * STEP)) + 0;
       if (value === this.told[name]) continue;
       this.told[name] = value;

@@ -50,6 +50,21 @@ test('a pad is held as a key is', () => {
   ]);
 });
 
+test('legs and hips have pads once they are free, and the ride begins again with them', () => {
+  const { app, told } = riding();
+  expect(screen.queryByTestId('ride-crouch')).toBeNull();
+  fireEvent.click(screen.getByTestId('ride-free'));
+  expect(app.state.draft.peek().release).toEqual(['crouch', 'twist']);
+  fireEvent.pointerDown(screen.getByTestId('ride-crouch'));
+  fireEvent.pointerUp(screen.getByTestId('ride-crouch'));
+  fireEvent.pointerDown(screen.getByTestId('ride-hipsRight'));
+  expect(told).toEqual([
+    ['crouch', 1],
+    ['crouch', 0],
+    ['hips', -1],
+  ]);
+});
+
 test('a rider of a height and a mass has the body that goes with them', () => {
   const { app } = riding();
   fireEvent.change(screen.getByTestId('ride-mass'), { target: { value: '60' } });
@@ -91,7 +106,7 @@ test('a tilt leans, once the phone may tell it', async () => {
 });
 
 test('gates stand on the stage while one rides, with the best time of this browser', async () => {
-  storeBest(true, { time: 12.34, columns: ['t', 'X', 'Y'], values: [[0], [0], [0]] });
+  storeBest('rider', { time: 12.34, columns: ['t', 'X', 'Y'], values: [[0], [0], [0]] });
   const { app } = riding();
   expect(app.state.gates.peek().map(({ state }) => state)).toEqual(['next', 'ahead', 'ahead', 'ahead']);
   expect(screen.getByTestId('ride-view').textContent).toContain(words.best(12.34));

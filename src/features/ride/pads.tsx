@@ -5,12 +5,14 @@ import type { Session } from './session.ts';
 import { words } from './words.ts';
 
 const PADS = { left: 'ArrowLeft', right: 'ArrowRight', push: 'ArrowUp', pump: ' ', brake: 'ArrowDown' } as const;
+/** Of a rider whose legs and hips move too. */
+const BODY = { crouch: 'c', hipsLeft: 'q', hipsRight: 'e' } as const;
 
 /** A pad is its key, held. */
 export function Pads({ session }: { session: Session }) {
   return (
     <div class="ride-pads">
-      {Object.entries(PADS).map(([pad, key]) => {
+      {Object.entries({ ...PADS, ...(session.kind === 'body' ? BODY : {}) }).map(([pad, key]) => {
         const release = ({ timeStamp }: Event): void => void session.controls.release({ key, timeStamp });
         return (
           <button
@@ -26,7 +28,7 @@ export function Pads({ session }: { session: Session }) {
             onPointerCancel={release}
             onContextMenu={(event) => event.preventDefault()}
           >
-            {words.pads[pad as keyof typeof PADS]}
+            {words.pads[pad as keyof typeof words.pads]}
           </button>
         );
       })}

@@ -12,12 +12,19 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   await page.keyboard.press('u');
   const ride = page.getByTestId('ride-view');
   await expect(ride).toHaveAttribute('data-phase', 'riding', { timeout: 60_000 });
+  // With legs and hips too: the ride begins again.
+  await page.getByTestId('ride-more').click();
+  await page.getByTestId('ride-free').check();
+  await expect(ride).toHaveAttribute('data-phase', 'starting');
+  await expect(ride).toHaveAttribute('data-phase', 'riding', { timeout: 60_000 });
+  await page.getByTestId('ride-more').click();
   await page.keyboard.down('ArrowUp');
   await expect(ride).toHaveAttribute('data-speed', /^1\.[3-5]/, { timeout: 30_000 });
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('ArrowRight');
   await expect(ride).toHaveAttribute('data-passed', /^[2-4]$/, { timeout: 60_000 });
   await page.keyboard.up('ArrowUp');
+  for (const key of ['c', 'q', 'e']) await page.keyboard.press(key, { delay: 500 });
   await page.keyboard.down('ArrowDown');
   await expect(ride).toHaveAttribute('data-speed', /^-?0\.[01]/, { timeout: 30_000 });
   const read = (name: string) => ride.getAttribute(`data-${name}`);
@@ -40,6 +47,8 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   expect(names).toContain('beta_dot');
   const repeated = lines.map((line) => line.split(',').map(Number));
   const ridden = rows.map((row) => names.map((name) => row[columns.indexOf(name)]));
+  for (const name of ['crouch', 'twist'])
+    expect(Math.max(...rows.map((row) => Math.abs(row[columns.indexOf(name)]!))), name).toBeGreaterThan(0.05);
   // Left between two rows, the run has one more at its end.
   expect(repeated.length - ridden.length).toBeLessThanOrEqual(1);
   expect(ridden).toEqual(repeated.slice(0, ridden.length));

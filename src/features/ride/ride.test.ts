@@ -47,6 +47,34 @@ describe('controls', () => {
     ]);
   });
 
+  it('move legs and hips where they are free, by keys, stick and shoulders', () => {
+    const told: [string, number][] = [];
+    const controls = new Controls((name, value) => told.push([name, value]));
+    const button = (value: number) => ({ value });
+    const pad = (axes: number[], buttons: number[]) =>
+      ({ connected: true, axes, buttons: buttons.map(button) }) as unknown as Gamepad;
+    controls.gamepads([pad([0, 0, 0, 0.5], [0, 0, 0, 0, 1, 0])]);
+    expect([controls.press({ key: 'c' }), told]).toEqual([false, []]);
+    controls.body = true;
+    controls.gamepads([pad([0, 0, 0, 0.5], [0, 0, 0, 0, 1, 0])]);
+    expect(told.splice(0)).toEqual([
+      ['crouch', 0.5],
+      ['hips', 1],
+    ]);
+    controls.gamepads([]);
+    controls.press({ key: 'C' });
+    controls.press({ key: 'e' });
+    controls.releaseAll();
+    expect(told).toEqual([
+      ['crouch', 0],
+      ['hips', 0],
+      ['crouch', 1],
+      ['hips', -1],
+      ['crouch', 0],
+      ['hips', 0],
+    ]);
+  });
+
   it('take a stick with a rest in its middle', () => {
     const told: [string, number][] = [];
     const controls = new Controls((name, value) => told.push([name, value]));
@@ -79,6 +107,12 @@ it('the measure takes the picture in which a command is first seen, and counts p
   picture(98, 0.096);
   expect(measure.latency).toBe(81);
   expect([measure.dropped, measure.frames]).toEqual([2, 7]);
+});
+
+it('a ride of a free body releases what is held of it', () => {
+  expect(rideScenario(true, 1).release).toBeUndefined();
+  expect(rideScenario(true, 1, [], {}, true).release).toEqual(['crouch', 'twist']);
+  expect(rideScenario(false, 1, [], {}, true).release).toBeUndefined();
 });
 
 it('a ride goes on from a moment with what was told up to there', () => {

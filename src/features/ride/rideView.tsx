@@ -48,7 +48,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
         </div>
         <details class="ride-more" open={phase === 'over'}>
           <summary data-testid="ride-more">
-            {words.choices(words.helpLevels[level]!, words.paces[pace]!, session.rider, coarse)}
+            {words.choices(words.helpLevels[level]!, words.paces[pace]!, session.kind, coarse)}
           </summary>
           <div class="ride-choices">
             <Choice
@@ -75,10 +75,21 @@ export function RideView({ onLeave }: { onLeave(): void }) {
               {words.rider}
             </label>
             {session.rider && (
+              <label class="ride-rider" title={words.freeHint}>
+                <input
+                  type="checkbox"
+                  checked={session.free}
+                  data-testid="ride-free"
+                  onChange={(event) => session.setFree(event.currentTarget.checked)}
+                />{' '}
+                {words.free}
+              </label>
+            )}
+            {session.rider && (
               <PersonInputs person={session.person} testId="ride" onChange={(person) => session.setPerson(person)} />
             )}
             <span class="hint">
-              {words.helpHint[level]} {coarse && words.coarse}
+              {words.helpHint[level]} {session.kind === 'body' && words.freeHint} {coarse && words.coarse}
             </span>
           </div>
         </details>
@@ -99,7 +110,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
           </button>
           <HelpLink document="riding.md" title={words.label} />
         </div>
-        {(phase !== 'riding' || time < LEARNT) && <p class="hint ride-keys">{words.keys}</p>}
+        {(phase !== 'riding' || time < LEARNT) && <p class="hint ride-keys">{words.keys(session.kind)}</p>}
       </section>
     </div>
   );

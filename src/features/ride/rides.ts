@@ -10,6 +10,9 @@ const LONGEST = 300;
 const APART = 0.1;
 const FINE = 1e4;
 
+/** What is ridden: the board alone, with a rider, with one whose legs and hips move too. Each has a best time of its own. */
+export type Kind = 'board' | 'rider' | 'body';
+
 export interface Best {
   /** s. */
   time: number;
@@ -24,12 +27,14 @@ export interface Best {
  * @param help share of it at the beginning
  * @param commands told before
  * @param body the rider's own parameters; the system's without
+ * @param free whether the rider's legs and hips move too
  */
 export function rideScenario(
   rider: boolean,
   help: number,
   commands: readonly RideCommand[] = [],
   body: Readonly<Record<string, number>> = {},
+  free = false,
 ): ScenarioFile {
   return {
     version: 1,
@@ -37,6 +42,7 @@ export function rideScenario(
     parameters: { wheelDrag: DRAG, ...(rider ? body : {}) },
     // Nobody stands quite upright.
     ...(rider ? { initial: { beta: '1 deg' } } : {}),
+    ...(rider && free ? { release: ['crouch', 'twist'] } : {}),
     control: { type: 'ride', help, speed: 1.5, commands },
     method: { rtol: 1e-6, atol: 1e-8 },
     duration: LONGEST,
@@ -89,11 +95,11 @@ export function ghostAt({ columns, values }: Best, time: number): { x: number; y
 }
 
 /** Under the prefix of all that the page stores, so that it is forgotten with the rest. */
-const key = (rider: boolean): string => `ripstik.ride.${rider ? 'rider' : 'board'}`;
+const key = (kind: Kind): string => `ripstik.ride.${kind}`;
 
-export function storedBest(rider: boolean): Best | null {
+export function storedBest(kind: Kind): Best | null {
   try {
-    const found = JSON.parse(localStorage.getItem(key(rider)) ?? 'null') as Best | null;
+    const found = JSON.parse(localStorage.getItem(key(kind)) ?? 'null') as Best | null;
     return found && isWhole(found) ? found : null;
   } catch {
     // No storage, or not what was put there: no best ride.
@@ -101,9 +107,9 @@ export function storedBest(rider: boolean): Best | null {
   }
 }
 
-export function storeBest(rider: boolean, best: Best): void {
+export function storeBest(kind: Kind, best: Best): void {
   try {
-    localStorage.setItem(key(rider), JSON.stringify(best));
+    localStorage.setItem(key(kind), JSON.stringify(best));
   } catch {
     // Full or not allowed: it holds for this visit.
   }

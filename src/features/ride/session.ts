@@ -6,7 +6,7 @@ import { riderOf, type Person } from '../../core/systems/ripstik-rider/person.ts
 import { Controls } from './controls.ts';
 import { gates, HALF_WIDTH, Passage } from './course.ts';
 import { Measure } from './measure.ts';
-import { bestOf, ghostAt, rideScenario, rowsOf, storeBest, storedBest, upTo, type Best } from './rides.ts';
+import { bestOf, ghostAt, rideScenario, rowsOf, storeBest, storedBest, upTo, type Best, type Kind } from './rides.ts';
 import { words } from './words.ts';
 
 type Phase = 'starting' | 'riding' | 'over';
@@ -19,6 +19,8 @@ export class Session {
   phase: Phase = 'starting';
   said: string = words.ready;
   rider = true;
+  /** Whether the rider's legs and hips move too. */
+  free = false;
   /** Who rides; the system's own rider without. */
   person: Person | null = null;
   level = 1;
@@ -74,8 +76,9 @@ export class Session {
   }
 
   begin(): void {
-    this.best = storedBest(this.rider);
-    this.start(rideScenario(this.rider, this.level, [], this.person ? riderOf(this.person) : {}), 0);
+    this.best = storedBest(this.kind);
+    const body = this.person ? riderOf(this.person) : {};
+    this.start(rideScenario(this.rider, this.level, [], body, this.free), 0);
   }
 
   /** Goes on from the moment on the stage: the ride up to there is computed again, which gives the same. */
@@ -90,6 +93,7 @@ export class Session {
     const { actions, state } = this.app;
     const ride = ++this.ride;
     this.controls.forget();
+    this.controls.body = (file.release ?? []).length > 0;
     this.passage = new Passage(gates);
     this.measure = new Measure();
     Object.assign(this, { rows: 0, way: [], waiting: false, speed: 0, time: resume });
@@ -98,7 +102,7 @@ export class Session {
     this.motion = state.motion.peek()?.id ?? 0;
     this.showGates();
     actions.ride(file, {
-      title: words.title(this.rider),
+      title: words.title(this.kind),
       resume,
       pace: this.pace,
       told: (command, given) => {
@@ -129,6 +133,15 @@ export class Session {
     this.waiting = waiting;
     this.app.actions.steer({ pace: waiting ? 0 : this.pace });
     this.draw();
+  }
+
+  get kind(): Kind {
+    return !this.rider ? 'board' : this.free ? 'body' : 'rider';
+  }
+
+  setFree(free: boolean): void {
+    this.free = free;
+    this.begin();
   }
 
   setPerson(person: Person | null): void {
@@ -214,7 +227,7 @@ export class Session {
     if (!best) return;
     const names = this.app.state.motion.peek()!.system.meta.coordinates.map(({ name }) => name);
     this.best = bestOf(trajectory, names, finished);
-    storeBest(this.rider, this.best);
+    storeBest(this.kind, this.best);
   }
 
   private end(end: { reason: string; message: string; time: number }): void {

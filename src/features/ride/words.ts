@@ -1,13 +1,21 @@
 /** Every word of riding that is not in the first view. */
+import type { Kind } from './rides.ts';
 import { formatShort } from '../../ui/kit/format.ts';
+
+const KINDS: Readonly<Record<Kind, string>> = {
+  board: 'the board alone',
+  rider: 'with a rider',
+  body: 'with a rider, legs and hips too',
+};
 
 export const words = {
   label: 'Riding',
-  title: (rider: boolean) => (rider ? 'Ride with a rider' : 'Ride of the board alone'),
+  title: (kind: Kind) => (kind === 'board' ? 'Ride of the board alone' : 'Ride with a rider'),
   ready: 'The board is being made ready …',
   begin: 'Push off with ↑, steer with ← and →.',
   beginByTouch: 'Hold Push to start, steer with Left and Right.',
-  keys: '↑ push off · Space pump · ← → turn · A D lean · ↓ brake · R again · P wait · Esc leave',
+  keys: (kind: Kind) =>
+    `↑ push off · Space pump · ← → turn · A D lean · ↓ brake · ${kind === 'body' ? 'C crouch · Q E hips · ' : ''}R again · P wait · Esc leave`,
   again: 'Again',
   leave: 'Leave',
   wait: 'Wait',
@@ -15,8 +23,10 @@ export const words = {
   takeOver: 'Ride on from here',
   takeOverTitle: 'From the moment that is shown, the ride is yours again',
   rider: 'With a rider',
-  choices: (help: string, pace: string, rider: boolean, coarse: boolean) =>
-    `Help: ${help.toLowerCase()} · clock: ${pace} · ${rider ? 'with a rider' : 'the board alone'}${coarse ? ' · drawn coarser' : ''}`,
+  free: 'Legs and hips too',
+  freeHint: 'Crouch, and turn hips and shoulders against the feet; they go ahead into a turn by themselves.',
+  choices: (help: string, pace: string, kind: Kind, coarse: boolean) =>
+    `Help: ${help.toLowerCase()} · clock: ${pace} · ${KINDS[kind]}${coarse ? ' · drawn coarser' : ''}`,
   marks: (count: number) => (count === 1 ? 'One command' : `${count} commands`),
   mark: (name: string, value: number, time: number) => {
     const much = value === 1 ? '' : ` ${formatShort(value)}`;
@@ -31,7 +41,16 @@ export const words = {
   } as Readonly<Record<number, string>>,
   pace: 'Clock',
   paces: { 1: '1', 0.5: '½', 0.25: '¼' } as Readonly<Record<number, string>>,
-  pads: { left: 'Left', right: 'Right', push: 'Push', pump: 'Pump', brake: 'Brake' },
+  pads: {
+    left: 'Left',
+    right: 'Right',
+    push: 'Push',
+    pump: 'Pump',
+    brake: 'Brake',
+    crouch: 'Crouch',
+    hipsLeft: 'Hips left',
+    hipsRight: 'Hips right',
+  },
   tilt: 'Tilt to lean',
   noTilt: 'This device tells no tilt, or was not allowed to.',
   speed: (v: number) => `${v.toFixed(1)} m/s`,

@@ -118,8 +118,8 @@ function openLoop(scenario: Scenario, input: InputMeta, plan: InputPlan | null):
   const text = scenario.inputs[input.name];
   if (text === undefined) return null;
   const expression = compileExpression(text, { variables: ['t'] });
-  plan?.add(expression, input.name, false);
-  return { value: (t) => expression.evaluate(t) };
+  const inside = plan?.add(expression, input.name, false);
+  return { value: inside ? (t) => expression.evaluate(inside(t)) : (t) => expression.evaluate(t) };
 }
 
 function trackers(control: TrackControl, meta: SystemMeta, plan: InputPlan | null): Map<string, Feedback> {
@@ -135,15 +135,16 @@ function tracking(control: TrackControl, input: InputMeta, meta: SystemMeta, pla
   const text = control.reference[input.name];
   if (text === undefined || !input.tracks) return null;
   const reference = compileExpression(text, { variables: ['t'] });
-  plan?.add(reference, input.name, true);
+  const inside = plan?.add(reference, input.name, true) ?? ((t: number) => t);
   const index = input.tracks.map((name) => meta.coordinates.findIndex((c) => c.name === name));
   const { kp, kd } = control;
   const bound = control.limits?.[input.name];
   return {
     limit: bound === undefined ? Infinity : compileExpression(bound, { variables: [] }).evaluate(0),
     asked(t, q, v) {
-      let position = -reference.evaluate(t);
-      let rate = -reference.derivative(t);
+      const at = inside(t);
+      let position = -reference.evaluate(at);
+      let rate = -reference.derivative(at);
       for (let k = 0; k < index.length; k++) {
         position += q[index[k]!]!;
         rate += v[index[k]!]!;

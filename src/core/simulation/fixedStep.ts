@@ -9,6 +9,9 @@ import type { InputPlan } from './inputPlan.ts';
 /** A fixed step that passes over less than this part of an input is as good as its method is. */
 export const SMALL_PART = 1e-3;
 
+/** A shorter step (s) is not advised: the formula has an end of its range there, and no step would do. */
+const SHORTEST_ADVISED = 1e-7;
+
 /** Of how near a free body's fixed steps may come to pitch 90° (`AttitudeCharts.nearness`) without a word. */
 const MOST_NEARNESS = 0.5;
 
@@ -31,9 +34,10 @@ export function fixedStepOf({ name, step, maxStep }: Scenario['method']): number
 export function tooFast(plan: InputPlan | null, step: number): string[] {
   const found = plan?.unresolved(step);
   if (!found) return [];
+  const shorter = found.step < SHORTEST_ADVISED ? '' : `one of ${found.step.toPrecision(2)} s, or `;
   return [
     `${found.name} changes within a step at t = ${found.time.toPrecision(6)} s: a fixed step of ${step} s cannot follow it; ` +
-      `take one of ${found.step.toPrecision(2)} s, or a method that chooses its steps`,
+      `take ${shorter}a method that chooses its steps`,
   ];
 }
 

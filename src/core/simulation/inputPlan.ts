@@ -57,10 +57,15 @@ export class InputPlan {
     this.options = options;
   }
 
-  /** @param withRate whether its rate acts too, as that of a reference */
-  add(expression: CompiledExpression, name: string, withRate: boolean): void {
-    if (expression.constant) return;
-    this.schedules.push({ schedule: new Schedule(expression, { ...this.options, withRate }), name });
+  /**
+   * @param withRate whether its rate acts too, as that of a reference
+   * @returns where to look at the formula for a time of a step (`Schedule.inside`)
+   */
+  add(expression: CompiledExpression, name: string, withRate: boolean): (t: number) => number {
+    if (expression.constant) return (t) => t;
+    const schedule = new Schedule(expression, { ...this.options, withRate });
+    this.schedules.push({ schedule, name });
+    return (t) => schedule.inside(t);
   }
 
   /** Nothing is to be planned for. */
@@ -106,7 +111,7 @@ export class InputPlan {
       let more = MOST_WINDOWS;
       for (let t = from; t < until && more > 0;) {
         const bound = schedule.bound(t);
-        const short = bound < FIXED_ROOM * step && schedule.end - t > step;
+        const short = bound < FIXED_ROOM * step;
         if (short) found = { name, time: found?.time ?? t, step: Math.min(found?.step ?? step, bound / FIXED_ROOM) };
         if (found) more--;
         t = Math.min(schedule.end, t + Math.min(bound, until - t));

@@ -136,11 +136,11 @@ export class LastStep {
     return true;
   }
 
-  /** `q` or `v` was changed, or what y means: the stepper begins anew from there. */
-  restart(): void {
+  /** `q` or `v` was changed, or what y means: the stepper begins anew from there, at most last digits later. */
+  restart(t = this.stepper.t): void {
     Object.assign(this.earlier, this.counters);
     this.map.fromState(this.q, this.v, this.y);
-    this.stepper.reset(this.stepper.t, this.y);
+    this.stepper.reset(t, this.y);
   }
 }
 

@@ -27,6 +27,9 @@ export { EXTRA_COLUMNS, PAGE_COLUMNS, type Continuation, type RunCounts, type Ru
 /** A clock that goes along with t is it to this, beside itself or 1 s. */
 const CLOCK_ROUNDING = 8 * Number.EPSILON;
 
+/** What is left out before a switch that equations decide by their clock, beside the time or 1 s: more than the clock is ahead. */
+const CLOCK_SKIPS = 48 * Number.EPSILON;
+
 /**
  * A run of a scenario, row by row: construct, then call `advance` until `end` is set, taking chunks in between.
  * It owns no clock and no thread, so that a worker, the command line and a test drive the same code.
@@ -259,13 +262,25 @@ export class Simulation {
     return (this.coming.at(-1)?.time ?? Infinity) <= time + REACHED;
   }
 
+  /**
+   * Where a step ends for the next switch, s. Equations that decide by a clock of their own, which is t but for rounding, must not
+   * see its other side at the end of the step: the last digits to the switch are skipped.
+   */
+  private get switchEnd(): number {
+    const { plan, clock, scenario, step } = this;
+    const end = plan?.end ?? Infinity;
+    if (clock < 0 || !(end <= scenario.duration)) return end;
+    const shy = end - CLOCK_SKIPS * Math.max(1, Math.abs(end));
+    return shy > step.t ? shy : end;
+  }
+
   private oneStep(): void {
-    const { step, scenario, plan } = this;
+    const { step, scenario, plan, switchEnd } = this;
     const limit = Math.min(
       scenario.duration,
       this.horizon,
       this.coming.at(-1)?.time ?? Infinity,
-      plan?.end ?? Infinity,
+      switchEnd,
       this.turns.end,
     );
     this.turns.remember();
@@ -288,27 +303,27 @@ export class Simulation {
       this.emit(step.t);
       return this.stop('end', `ran to t = ${scenario.duration} s${doubtAtPole(scenario.method, this.charts)}`);
     }
-    if (plan) this.pass(plan);
+    if (plan) this.pass(plan, step.t >= switchEnd && plan.end < scenario.duration);
     // Last, because the dense output of the step is in the old meaning of y.
     step.rebase();
     while (this.isDue(step.t)) this.push(this.coming.pop()!.push);
   }
 
   /** A step ended: where inputs switch or a limit is reached there, the next one begins with what they are from now on. */
-  private pass(plan: InputPlan): void {
+  private pass(plan: InputPlan, isSwitch: boolean): void {
     const { step } = this;
-    const { t, q, v } = step;
-    let jumps = false;
-    if (t >= plan.end) jumps = plan.arrive(t, q, v);
+    const { q, v } = step;
+    const t = isSwitch ? Math.max(step.t, plan.end) : step.t;
+    let jumps = isSwitch && plan.arrive(t, q, v);
     jumps = this.turns.arrive() || jumps;
     if (!jumps) return;
     this.dynamics.forget();
     if (this.clock < 0) return step.stepper.restart();
-    // The equations decide by their clock, which is t but for rounding: from now on it is beyond what switched at t.
+    // From now on the clock is beyond what switched at t.
     const now = t + this.ahead;
     q[this.clock] = now + CLOCK_ROUNDING * Math.max(1, Math.abs(now));
     step.projections?.ends.project(t, q, v, true);
-    step.restart();
+    step.restart(t);
   }
 
   private addWork(until: number): void {

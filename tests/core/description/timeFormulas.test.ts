@@ -53,6 +53,18 @@ test.each(adaptive)('%s: a short force on a system at rest gives its impulse', (
   }
 });
 
+test.each(methods.map(({ id }) => id))('%s: a force that switches gives its impulse to rounding', (name) => {
+  for (const [formula, impulse] of [
+    ['(t >= 0.5) (t < 0.6)', 0.1],
+    ['(t > 0.3 ? (t < 0.301 ? 100 : 0) : 0)', 0.1],
+    // Switches at the end of the run too.
+    ['(mod(t, 0.1) < 0.05)', 0.5],
+  ] as const) {
+    const { at } = runOf(cart(`force ${formula} on x`), { duration: 1, method: { name, step: 0.01, rtol: 1e-6 } });
+    expect(Math.abs((2 * at('x_dot')) / impulse - 1), formula).toBeLessThan(2e-11);
+  }
+});
+
 test.each(adaptive)('%s: a short drive moves what hangs on it, whenever the clock starts', (name) => {
   for (const clock of [0, 1.25]) {
     const run = (method: object) =>

@@ -152,6 +152,24 @@ describe('inputs that act briefly', () => {
     expect(warnings(0.1, 'sin(t)')).toEqual([]);
     expect(warnings(0.1, 't > 3.05 ? 1 : 0')).toEqual([]);
     expect(warnings(2e-4, 'exp(-((t-8)/0.003)^2)')).toEqual([]);
+    // All of it within a step that two switches shorten.
+    expect(warnings(0.1, 'abs(t-3) < 0.04 ? sin(2000*t) : 0').join()).toMatch(/take one of 0\.000\d+ s/);
+    // Of the end of a root's range no step would do.
+    expect(warnings(0.1, 't < 3 ? sqrt(3-t) : 0').join()).toMatch(/cannot follow it; take a method that chooses/);
+  });
+
+  test.each(methods.map(({ id }) => id))('%s: what a choice keeps away from a root, a logarithm or a pole', (name) => {
+    const exact: [formula: string, impulse: number][] = [
+      ['abs(t-1.0748) < 0.0433 ? exp(-1/(1-((t-1.0748)/0.0433)^2)) : 0', 0.0433 * 0.443993816168079],
+      ['abs(t-0.3) < 0.1 ? sqrt(0.01-(t-0.3)^2) : 0', (Math.PI * 0.01) / 2],
+      ['t < 1 ? sqrt(1-t) : 0', 2 / 3],
+      ['t > 1 ? (t-1)^0.3 : 0', 1 / 1.3],
+    ];
+    for (const [tau_phi, impulse] of exact) {
+      const { v } = endOf({ ...wheel, duration: 2, inputs: { tau_phi }, method: { name, step: 1e-3, rtol: 1e-9 } });
+      const isFixed = methods.some(({ id, adaptive: chooses }) => id === name && !chooses);
+      expect(Math.abs((2 * v[3]!) / impulse - 1), tau_phi).toBeLessThan(isFixed ? 2e-3 : 3e-6);
+    }
   });
 
   test('a fixed step ends at a switch', () => {

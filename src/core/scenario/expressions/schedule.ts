@@ -43,6 +43,8 @@ export class Schedule {
   /** Width of the window in which a switch is looked for, and whether `end` is one. */
   private width: number;
   private found = false;
+  /** The double before `end`. */
+  private last = -Infinity;
 
   constructor(expression: CompiledExpression, options: ScheduleOptions) {
     this.expression = expression;
@@ -79,6 +81,14 @@ export class Schedule {
     for (const pace of this.paces) pace.renew();
   }
 
+  /**
+   * The last double before the switch that ends the stretch, for the switch itself or a time beyond it: what a choice keeps away
+   * from its parts (a root, a quotient) may have no value there.
+   */
+  inside(t: number): number {
+    return t < this.end || !this.found ? t : this.last;
+  }
+
   /** Bound for a step that begins at t in this stretch; Infinity where there is none. */
   bound(t: number): number {
     const end = Math.min(this.end, this.options.until);
@@ -101,6 +111,7 @@ export class Schedule {
       if (at < Infinity) {
         this.end = at;
         this.found = this.looks < MOST_LOOKS;
+        this.last = previous(at);
         this.width = 2 * Math.max(at - t, RESOLUTION * beside(t));
         return;
       }

@@ -26,6 +26,8 @@ export interface Cast {
   /** What stands still, in world axes. */
   fixtures: readonly BodyModel[];
   stage: StagePlan;
+  /** What of the bodies has no pose in a motion, the last of them, and how theirs follow from the others'. */
+  limbs?: { ids: readonly string[]; place(poses: Float64Array): void };
 }
 
 export interface StagePlan {

@@ -1,5 +1,5 @@
 /** Pictures and 3-D files of the motion being watched, made beside the page's own view, which never notices. */
-import { posesFor } from './figure.ts';
+import { posesFor, withLimbs } from './figure.ts';
 import { untracked } from '@preact/signals';
 import { drawnSettings } from '../app/state/settings.ts';
 import { keyTimes } from '../app/files/exportPlan.ts';
@@ -73,7 +73,7 @@ export async function openShot(
       wheelAngles: sampler.wheelAngles,
       forces: forces ? sampler.forces(time) : [],
     });
-    view.setGhosts(ghosts(time));
+    view.setGhosts(withLimbs(ghosts(time), dressed.cast));
   };
   try {
     view.setModels(dressed.models, dressed.cast!);

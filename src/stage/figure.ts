@@ -3,7 +3,7 @@ import type { Motion } from '../app/runs/motion.ts';
 import type { Figure } from '../app/state/settingsTable.ts';
 import { systemViews } from '../core/systems/registry.ts';
 import type { SystemMeta } from '../core/model/system.ts';
-import type { Cast } from '../scene/contract.ts';
+import type { Cast, Ghost } from '../scene/contract.ts';
 import { rolledOn } from '../core/systems/rolledOn.ts';
 
 /** Whether feet move the board: a controller asks their torques, which come from outside, from somebody who is not there. */
@@ -31,22 +31,34 @@ export function drawnAs(motion: Motion, figure: Figure): SystemMeta {
  * @param poses 12 numbers a body, of its own bodies
  */
 export function posesFor(
-  { bodies }: Pick<Cast, 'bodies'>,
-  { system, parameters }: Motion,
+  { bodies, limbs }: Pick<Cast, 'bodies' | 'limbs'>,
+  { system: { meta } }: Motion,
   poses: Float64Array,
 ): Float64Array {
-  const { rider } = system.meta;
-  if (!rider || bodies.length <= system.meta.bodies.length) return poses;
+  const own = meta.bodies.length;
+  if (bodies.length <= own) return poses;
   const out = new Float64Array(12 * bodies.length);
   out.set(poses);
-  // The carrier's own roll is taken back: plates turn under the feet.
-  const first = system.meta.bodies.length;
-  rolledOn(out, 0, first, -Math.atan2(poses[10]!, poses[11]!), 0, rider.height);
-  const { meta, limbs } = systemViews[rider.drawnAs]!;
-  for (let body = first + 1; body < meta.bodies.length; body++) out.copyWithin(12 * body, 12 * first, 12 * first + 12);
-  limbs?.place(
-    Float64Array.from(meta.parameters, ({ name, default: otherwise }) => parameters[name] ?? otherwise),
-    out,
-  );
+  const figure = bodies.length - (limbs?.ids.length ?? 0);
+  if (meta.rider && figure > own) {
+    // The carrier's own roll is taken back: plates turn under the feet. Whatever more there is of the body stands as it does.
+    rolledOn(out, 0, own, -Math.atan2(poses[10]!, poses[11]!), 0, meta.rider.height);
+    for (let body = own + 1; body < figure; body++) out.copyWithin(12 * body, 12 * own, 12 * own + 12);
+  }
+  limbs?.place(out);
   return out;
+}
+
+/** Ghosts with the limbs of the cast, where they are of its system. */
+export function withLimbs(ghosts: readonly Ghost[], cast: Cast | null): readonly Ghost[] {
+  const { bodies = [], limbs } = cast ?? {};
+  const count = bodies.length - (limbs?.ids.length ?? 0);
+  if (!limbs) return ghosts;
+  return ghosts.map((ghost) => {
+    if (ghost.poses.length !== 12 * count) return ghost;
+    const poses = new Float64Array(12 * bodies.length);
+    poses.set(ghost.poses);
+    limbs.place(poses);
+    return { ...ghost, poses };
+  });
 }

@@ -6,7 +6,7 @@ import type { ExportRenderer } from '../app/files/exportRenderer.ts';
 import type { Stage } from '../app/runs/stage.ts';
 import type { App } from '../app/app.ts';
 import { loadDrawing, shapedBy } from '../core/systems/registry.ts';
-import { drawnAs, posesFor } from './figure.ts';
+import { drawnAs, posesFor, withLimbs } from './figure.ts';
 import type { Dressed, MeshPair, SceneOptions, SceneView } from '../scene/contract.ts';
 
 /** Joins the application to the scene: what is on the stage is drawn when it changes, and only then. */
@@ -81,7 +81,9 @@ export async function connectScene(
   });
   effect(() =>
     view.setGhosts(
-      dressed.value.system === state.motion.value?.system.meta.id ? ghostsAt(state, stage, state.time.value) : [],
+      dressed.value.system === state.motion.value?.system.meta.id
+        ? withLimbs(ghostsAt(state, stage, state.time.value), dressed.value.cast)
+        : [],
     ),
   );
   effect(() => view.setGates(state.gates.value));
@@ -186,7 +188,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
       .then(
         (drawing) => {
           if (now !== turn || !drawing) return;
-          const { pairs, bodies, fixtures, stage } = drawing;
+          const { pairs, bodies, fixtures, stage, limbs } = drawing;
           try {
             const worn = Object.entries(pairs).map(([name, pair]) => [name, { ...pair, ...own.get(`${id}/${name}`) }]);
             const named = bodies.map((body, i) => ({
@@ -196,7 +198,7 @@ function dress(app: App, view: SceneView): Signal<Dressed> {
             }));
             const [models, cast] = [
               Object.fromEntries(worn) as Record<string, MeshPair>,
-              { id: drawn.id, bodies: named, fixtures, stage },
+              { id: drawn.id, bodies: named, fixtures, stage, ...(limbs ? { limbs } : {}) },
             ];
             view.setModels(models, cast);
             good = own;

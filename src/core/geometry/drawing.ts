@@ -43,6 +43,14 @@ export interface Drawing {
   bodies: readonly Wearer[];
   fixtures: readonly Wearer[];
   stage: Stage;
+  limbs?: Limbs;
+}
+
+/** Pieces that are drawn and have no mass: they stand behind the bodies, and their poses follow from those. */
+export interface Limbs {
+  ids: readonly string[];
+  /** Writes their poses behind those of the bodies, 12 numbers each. */
+  place(poses: Float64Array): void;
 }
 
 /** A parameter by name, or what stands in for it where the system has none or it is no number. */
@@ -66,8 +74,8 @@ export function valueOf(meta: SystemMeta, parameters: Readonly<Record<string, nu
 export interface Layout {
   /** Bodies whose mesh has a group `wheel` that turns (see `Wearer`). */
   spins?: Readonly<Record<string, NonNullable<Wearer['spin']>>>;
-  /** Pieces behind the bodies (`SystemView.limbs`), each with a mesh of its name. */
-  limbs?: readonly string[];
+  /** Each with a mesh of its name. */
+  limbs?: Limbs;
   /** How its stage differs from the common one. */
   stage?: Partial<Omit<Stage, 'subject' | 'closeUp'>> & { subject?: string };
 }
@@ -83,7 +91,7 @@ export interface Sketch extends Layout {
  *
  * @param meta of the system
  */
-export function castOf(meta: SystemMeta, { spins, stage, limbs = [] }: Layout): Pick<Drawing, 'bodies' | 'stage'> {
+export function castOf(meta: SystemMeta, { spins, stage, limbs }: Layout): Pick<Drawing, 'bodies' | 'stage' | 'limbs'> {
   const indexOf = (id: string | undefined): number => meta.bodies.findIndex((body) => body.id === id);
   const { subject, ...own } = stage ?? {};
   const closeUp = indexOf(meta.views?.closeUp);
@@ -94,9 +102,10 @@ export function castOf(meta: SystemMeta, { spins, stage, limbs = [] }: Layout): 
         const spin = spins?.[id];
         return { id, role, model: model ?? id, ...(spin ? { spin } : {}) };
       }),
-      ...limbs.map((id): Wearer => ({ id, role: 'neutral', model: id, limb: true })),
+      ...(limbs?.ids ?? []).map((id): Wearer => ({ id, role: 'neutral', model: id, limb: true })),
     ],
     stage: { ...common, ...own, subject: Math.max(0, indexOf(subject)) },
+    ...(limbs ? { limbs } : {}),
   };
 }
 

@@ -280,8 +280,6 @@ export interface SystemView {
   meta: SystemMeta;
   /** Per body 12 numbers: position x y z, then rotation matrix row by row (body to world). */
   poses(q: Float64Array, p: Float64Array, out: Float64Array): void;
-  /** Pieces that are drawn and have no mass, in a body's care: their poses stand behind the bodies' and follow from those. */
-  limbs?: { ids: readonly string[]; body: string; place(p: Float64Array, poses: Float64Array): void };
   /** Wheels that leave a track: the body whose origin touches the ground, axle along its y. */
   contacts: readonly TrackedContact[];
   /** Points whose paths are drawn; the contacts' where it is absent. */

@@ -67,15 +67,15 @@ export class MotionSampler {
     trajectory: Trajectory,
     constraints: string | null,
   ) {
-    const bodies = 12 * view.meta.bodies.length;
+    const size = 12 * view.meta.bodies.length;
     this.view = view;
     this.parameters = Float64Array.from(view.meta.parameters, (p) => parameters[p.name] ?? p.default);
     this.trajectory = trajectory;
     this.constraints = constraints;
     this.q = new Float64Array(view.meta.coordinates.length);
-    this.poses = new Float64Array(bodies + 12 * (view.limbs?.ids.length ?? 0));
-    this.before = new Float64Array(bodies);
-    this.after = new Float64Array(bodies);
+    this.poses = new Float64Array(size);
+    this.before = new Float64Array(size);
+    this.after = new Float64Array(size);
     this.wheelAngles = new Float64Array(view.contacts.length);
     this.radii = Float64Array.from(view.contacts, (c) => parameters[c.radius] ?? 0);
     this.along = view.drawnAlong ?? 0;
@@ -114,7 +114,6 @@ export class MotionSampler {
         this.q[i] = interpolate(t, this.coordinates[i]!, this.rates[i], last, time);
       this.view.poses(this.q, this.parameters, this.poses);
     }
-    this.view.limbs?.place(this.parameters, this.poses);
     // Beyond the rows that have been followed a wheel keeps the last angle.
     const [known, ahead] = [Math.min(row, this.tracked - 1), Math.min(next, this.tracked - 1)];
     this.rolled.forEach(
@@ -196,7 +195,7 @@ export class MotionSampler {
   private blend(share: number): void {
     const { poses, before, after } = this;
     const [qa, qb, qc] = this.quaternions;
-    for (let o = 0; o < before.length; o += 12) {
+    for (let o = 0; o < poses.length; o += 12) {
       for (let i = 0; i < 3; i++) poses[o + i] = before[o + i]! + share * (after[o + i]! - before[o + i]!);
       quaternionOf(before, o + 3, qa);
       quaternionOf(after, o + 3, qb);

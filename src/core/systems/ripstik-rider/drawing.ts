@@ -4,7 +4,7 @@ import type { Triangle } from '../../geometry/shapes.ts';
 import type { Vec3 } from '../../geometry/vectors.ts';
 import type { Part } from '../../geometry/wavefront.ts';
 import { draw as drawBoard } from '../ripstik/drawing.ts';
-import { type Figure, figureOf, LIMBS } from './figure.ts';
+import { type Figure, figureOf, LIMBS, placeLegs } from './figure.ts';
 
 /**
  * The board, and on it a rider: the shoes are fast on the plates and turn with them under the ankles, which stay where they are
@@ -15,10 +15,10 @@ import { type Figure, figureOf, LIMBS } from './figure.ts';
 export function draw(p: Value): Sketch {
   const board = drawBoard(p);
   const [height, thickness] = [sizeOf(p('riderHeight', 0.9)), sizeOf(p('plateThickness'))];
-  const { scale } = figureOf(height, 1, thickness);
+  const figure = figureOf(height, sizeOf(p('plateOffset', 0.26)), thickness);
   const shod = (name: 'front-plate' | 'back-plate') => {
     const plate = board.bodies[name]!;
-    return { ...plate, parts: [...plate.parts, shoe(scale, thickness)] };
+    return { ...plate, parts: [...plate.parts, shoe(figure.scale, thickness)] };
   };
   return {
     ...board,
@@ -26,9 +26,12 @@ export function draw(p: Value): Sketch {
       ...board.bodies,
       'front-plate': shod('front-plate'),
       'back-plate': shod('back-plate'),
-      ...riderBodies(figureOf(height, sizeOf(p('plateOffset', 0.26)), thickness)),
+      ...riderBodies(figure),
     },
-    limbs: LIMBS,
+    limbs: {
+      ids: LIMBS,
+      place: (poses) => placeLegs(figure, p('riderHeight', 0.9), poses, [0, 5, 6]),
+    },
   };
 }
 

@@ -52,23 +52,28 @@ export function figureOf(height: number, stance: number, thickness: number): Fig
 const distance = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 /**
- * Puts both legs' pieces among poses: a piece's z points to its upper end, where its origin is.
+ * Puts both legs' pieces behind the bodies' poses: a piece's z points to its upper end, where its origin is.
  *
  * @param figure that stands so
- * @param crouch m
- * @param twist rad
- * @param poses 12 numbers each, written at both legs' pieces
- * @param rider index of the body whose axes the feet stand in
- * @param first index of the first piece
+ * @param height of the centre of mass above the rod's centre where crouch is 0, m
+ * @param poses 12 numbers each
+ * @param bodies indices of the rod, the rider, in whose axes the feet stand, and what the hips turn
  */
 export function placeLegs(
   { legs, thigh, shank }: Figure,
-  crouch: number,
-  twist: number,
+  height: number,
   poses: Float64Array,
-  rider: number,
-  first: number,
+  [rod, rider, torso]: readonly [rod: number, rider: number, torso: number],
 ): void {
+  const [r, t] = [12 * rider, 12 * torso];
+  let [above, c, s] = [0, 0, 0];
+  for (let i = 0; i < 3; i++) {
+    const row = 3 + 3 * i;
+    above += (poses[r + i]! - poses[12 * rod + i]!) * poses[r + row + 2]!;
+    c += poses[r + row]! * poses[t + row]!;
+    s += poses[r + row + 1]! * poses[t + row]!;
+  }
+  const [crouch, twist] = [height - above, Math.atan2(s, c)];
   legs.forEach((leg, side) => {
     const hip = turned(leg.hip, twist);
     const ankle: Vec3 = [leg.ankle[0], leg.ankle[1], leg.ankle[2] + crouch];
@@ -82,8 +87,8 @@ export function placeLegs(
     const way = turned(minus(leg.knee, scaled(plus(leg.hip, leg.ankle), 0.5)), KNEES_TURN * twist);
     const across = minus(way, scaled(u, way[0] * u[0] + way[1] * u[1] + way[2] * u[2]));
     const knee = plus(hip, plus(scaled(u, share), scaled(across, bend / Math.hypot(...across))));
-    put(poses, rider, first + 2 * side, hip, minus(hip, knee));
-    put(poses, rider, first + 2 * side + 1, knee, minus(knee, ankle));
+    put(poses, rider, torso + 1 + 2 * side, hip, minus(hip, knee));
+    put(poses, rider, torso + 2 + 2 * side, knee, minus(knee, ankle));
   });
 }
 

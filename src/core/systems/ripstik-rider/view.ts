@@ -1,14 +1,11 @@
 import type { SystemView } from '../../model/system.ts';
 import { ripstikView } from '../ripstik/view.ts';
 import { rolledOn } from '../rolledOn.ts';
-import { figureOf, LIMBS, placeLegs } from './figure.ts';
 import { ripstikRiderMeta } from './meta.ts';
 
 const [ROD, RIDER, TORSO] = [0, 5, 6];
 const [ALPHA, BETA, CROUCH, TWIST] = [3, 10, 11, 12];
-const [HEIGHT, OFFSET, THICKNESS] = ['riderHeight', 'plateOffset', 'plateThickness'].map((name) =>
-  ripstikRiderMeta.parameters.findIndex((p) => p.name === name),
-) as [number, number, number];
+const HEIGHT = ripstikRiderMeta.parameters.findIndex((p) => p.name === 'riderHeight');
 
 /**
  * Frames as the board's; the rider's has its origin at the centre of mass, x forward and z up along the body; that of hips and
@@ -30,21 +27,5 @@ export const ripstikRiderView: SystemView = {
       out[to + row + 1] = c * y - s * x;
       out[to + row + 2] = out[from + row + 2]!;
     }
-  },
-  limbs: {
-    ids: LIMBS,
-    body: 'rider',
-    place(p, poses) {
-      const figure = figureOf(p[HEIGHT]!, p[OFFSET]!, p[THICKNESS]!);
-      const [rod, rider, torso] = [12 * ROD, 12 * RIDER, 12 * TORSO];
-      let [height, c, s] = [0, 0, 0];
-      for (let i = 0; i < 3; i++) {
-        const row = 3 + 3 * i;
-        height += (poses[rider + i]! - poses[rod + i]!) * poses[rider + row + 2]!;
-        c += poses[rider + row]! * poses[torso + row]!;
-        s += poses[rider + row + 1]! * poses[torso + row]!;
-      }
-      placeLegs(figure, p[HEIGHT]! - height, Math.atan2(s, c), poses, RIDER, TORSO + 1);
-    },
   },
 };

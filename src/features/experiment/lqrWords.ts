@@ -12,7 +12,7 @@ export const lqrWords = {
   >,
   usedOnes: 'No state has a weight of its own: each has weight 1.',
   usedNamed: 'States without a weight of their own have weight 0.',
-  turnAway: 'starts a full turn or more from the steady motion, and the regulator drives it all the way round.',
+  turnAway: 'starts about a full turn or more from the steady motion, and the regulator drives it all the way round.',
   sameAttitude: 'Start at the same attitude on its turn',
   positions: 'Cost of positions and angles (Q)',
   rates: 'Cost of rates (Q)',

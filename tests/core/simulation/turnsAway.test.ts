@@ -16,5 +16,7 @@ test('a regulated run that starts full turns from its point says so, and how to 
       'for the same attitude take 360° from it',
   ]);
   expect(warnings('-725 deg').join()).toMatch(/2 full turns below .* add 720° to it/);
-  expect(warnings('175 deg')).toEqual([]);
+  expect(warnings('354 deg').join()).toMatch(/starts about a full turn above .* take 360° from it/);
+  expect(warnings('-290 deg').join()).toMatch(/starts about a full turn below .* add 360° to it/);
+  for (const near of ['175 deg', '-260 deg']) expect(warnings(near)).toEqual([]);
 });

@@ -9,6 +9,7 @@ import { marginsOf } from '../../../src/core/control/margins.ts';
 import { solveDare } from '../../../src/core/control/sampled/dare.ts';
 import { exponential } from '../../../src/core/control/sampled/exponential.ts';
 import { delayedCost, held, heldWithDelay, sampledCost } from '../../../src/core/control/sampled/hold.ts';
+import { heldTwice } from '../../../src/core/control/sampled/holdTwice.ts';
 import { heldDesign, sampledLqr } from '../../../src/core/control/sampled/sampledLqr.ts';
 import { seeded } from '../../helpers.ts';
 import { linearizationOf, randomMatrix } from './helpers.ts';
@@ -128,4 +129,75 @@ describe.each([1, 2, 3])('random plants, seed %i', (seed) => {
     expect(Matrix.sub(same.Q, cost.Q).norm() + Matrix.sub(same.R, cost.R).norm()).toBeLessThan(1e-12);
     expect(Matrix.sub(X, X.transpose()).norm()).toBeLessThan(1e-12 * X.norm());
   });
+});
+
+// Each was refused: a mode that dies away within a sample stood beside its inverse, or weights beside each other.
+test.each([
+  {
+    name: 'stiff ankles, a delay of two samples',
+    raw: {
+      system: 'ripstik-rider',
+      control: { type: 'lqr', inputs: ['tau_af', 'tau_ab'], at: { X_dot: -0.798 }, Q: { X: 1, psi: 1 } },
+    },
+    timing: { sample: 0.018, delay: 0.0305 },
+  },
+  {
+    name: 'weights from 1e-7 to 1e5',
+    raw: {
+      control: {
+        type: 'lqr',
+        inputs: ['tau_fc', 'tau_bc'],
+        at: {},
+        R: { tau_fc: 9e4, tau_bc: 9.5 },
+        Q: { alpha_fp: 2.4e-7, X: 2.5e4, Y: 99, Z_dot: 1.6e-5 },
+      },
+    },
+    timing: { sample: 0.00113, delay: 0.00087 },
+  },
+  {
+    name: 'a light rider',
+    raw: {
+      system: 'ripstik-rider',
+      parameters: { ankleStiffness: 2875, ankleDamping: 1.85, riderMass: 17.9, riderHeight: 1.19 },
+      control: { type: 'lqr', inputs: ['tau_af', 'tau_ab'], at: { X_dot: 0.36 }, Q: { theta: 1, alpha_dot: 1 } },
+    },
+    timing: { sample: 0.0127, delay: 0 },
+  },
+])('a sampled regulator that is there is found: $name', ({ raw, timing }) => {
+  const { Q, R, inputs } = raw.control as { Q: Record<string, number>; R?: Record<string, number>; inputs: string[] };
+  const stiff = reachablePlant(linearizationOf(raw));
+  const design = designLqr(stiff, {
+    Q: stiff.linearization.states.map((s) => Q[s] ?? 0),
+    R: inputs.map((name) => R?.[name] ?? 1),
+  });
+  const { spectralRadius, riccatiResidual } = sampledLqr(design, timing);
+  expect(spectralRadius).toBeLessThan(1);
+  expect(riccatiResidual).toBeLessThan(1e-9);
+});
+
+test('plant and cost are the same in twice the precision, modes of -4000/s beside 3/s included', () => {
+  const random = seeded(315);
+  const A = randomMatrix(random, 5, 5);
+  A.set(0, 0, -4000);
+  const [B, C, R] = [randomMatrix(random, 5, 2), randomMatrix(random, 3, 5), Matrix.diag([2, 0.3])];
+  const Q = C.transpose().mmul(C);
+  for (const [h, delay] of [
+    [0.02, 0],
+    [0.01, 0.0037],
+    [0.008, 0.016],
+    [0.008, 0.03],
+  ] as const) {
+    const plain = { ...heldWithDelay(A, B, h, delay), cost: delayedCost(A, B, Q, R, h, delay) };
+    const precise = heldTwice(A, B, C, R, h, delay);
+    for (const [a, b] of [
+      [plain.A, precise.A],
+      [plain.B, precise.B],
+      [plain.cost.Q, precise.Q],
+      [plain.cost.N, precise.N],
+      [plain.cost.R, precise.R],
+    ] as const) {
+      const rounded = Matrix.from1DArray(b.rows, b.columns, [...b.hi]);
+      expect(Matrix.sub(a, rounded).norm()).toBeLessThanOrEqual(1e-12 * rounded.norm());
+    }
+  }
 });

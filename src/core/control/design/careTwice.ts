@@ -83,7 +83,8 @@ function doubling(A: DoubleDouble, G: DoubleDouble, H: DoubleDouble, gamma: numb
   return doubled(IN_TWICE, n, { Ak, Gk, Hk }, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED, settled: SETTLED });
 }
 
-const IN_TWICE: Algebra<DoubleDouble> = {
+/** Matrices in twice the precision, as `doubling.ts` takes them. */
+export const IN_TWICE: Algebra<DoubleDouble> = {
   identity: (n) => DoubleDouble.identity(n),
   times: (a, b) => a.times(b),
   plus: (a, b) => a.plus(b),
@@ -104,8 +105,13 @@ function residualOf(A: DoubleDouble, w: DoubleDouble, Q: DoubleDouble, X: Double
 /** Below this share of the largest, eigenvalues are taken from the inverse, where they are the largest. */
 const SLOW = 1e-7;
 
-/** Eigenvalues of a matrix whose rates lie far apart: the fast ones from itself, the slow ones from its inverse. */
-function eigenvaluesOfBothEnds(A: DoubleDouble): Complex[] | null {
+/**
+ * Eigenvalues of a matrix whose rates lie far apart: the fast ones from itself, the slow ones from its inverse.
+ *
+ * @param A n x n
+ * @returns null where it has no inverse
+ */
+export function eigenvaluesOfBothEnds(A: DoubleDouble): Complex[] | null {
   const inverse = A.solve(DoubleDouble.identity(A.rows));
   if (!inverse) return null;
   const fast = plainEigenvalues(once(A));

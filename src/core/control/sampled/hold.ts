@@ -1,5 +1,5 @@
 import { Matrix } from 'ml-matrix';
-import { symmetricPart } from '../linearization/matrices.ts';
+import { norm, symmetricPart } from '../linearization/matrices.ts';
 import { exponential } from './exponential.ts';
 
 /**
@@ -169,7 +169,14 @@ export interface SampledCost {
   R: Matrix;
 }
 
+/** Largest norm of (A B; 0 0) h whose exponential the integral is taken from at once. */
+const SHORT = 0.5;
+
 /**
+ * By Van Loan's exponential over a part of the sample that is short for the fastest mode, and from there by doubling,
+ * W(2 h) = W(h) + phi(h)^T W(h) phi(h), where nothing cancels: at once, a mode that dies away within a sample would stand
+ * beside its inverse in one exponential.
+ *
  * @param A n x n
  * @param B n x k
  * @param Q n x n
@@ -183,13 +190,21 @@ export function sampledCost(A: Matrix, B: Matrix, Q: Matrix, R: Matrix, h: numbe
   const cost = Matrix.zeros(size, size);
   if (n > 0) cost.setSubMatrix(Q, 0, 0);
   if (k > 0) cost.setSubMatrix(R, n, n);
+  const unit = norm(cost) || 1;
+  const doublings = Math.max(0, Math.ceil(Math.log2((norm(F) * h) / SHORT)));
+  const short = h * 2 ** -doublings;
   // exp of (-F^T cost; 0 F) h holds the integral of e^{F^T s} cost e^{F s}.
   const M = Matrix.zeros(2 * size, 2 * size);
-  M.setSubMatrix(F.transpose().mul(-h), 0, 0);
-  M.setSubMatrix(Matrix.mul(cost, h), 0, size);
-  M.setSubMatrix(Matrix.mul(F, h), size, size);
+  M.setSubMatrix(F.transpose().mul(-short), 0, 0);
+  M.setSubMatrix(Matrix.mul(cost, short / unit), 0, size);
+  M.setSubMatrix(Matrix.mul(F, short), size, size);
   const E = exponential(M);
-  const phi = part(E, size, size, size, size);
-  const W = symmetricPart(phi.transpose().mmul(part(E, 0, size, size, size)));
+  let phi = part(E, size, size, size, size);
+  let W = symmetricPart(phi.transpose().mmul(part(E, 0, size, size, size)));
+  for (let i = 0; i < doublings; i++) {
+    W = symmetricPart(Matrix.add(W, phi.transpose().mmul(W).mmul(phi)));
+    phi = phi.mmul(phi);
+  }
+  W.mul(unit);
   return { Q: part(W, 0, n, 0, n), N: part(W, 0, n, n, k), R: part(W, n, k, n, k) };
 }

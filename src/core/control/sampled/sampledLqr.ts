@@ -3,6 +3,7 @@ import type { LqrDesign } from '../design/lqr.ts';
 import { besides, columnsOf } from '../linearization/matrices.ts';
 import { modulus, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 import { solveDare } from './dare.ts';
+import { heldTwice } from './holdTwice.ts';
 import { delayedCost, heldWithDelay, lagged, type SampledPlant } from './hold.ts';
 
 /** A regulator as a computer runs it: sampled, held, with a delay from measurement to actuation. */
@@ -56,8 +57,11 @@ export function sampledLqr(design: LqrDesign, timing: Timing): SampledDesign {
   const plant = heldWithDelay(A, B, sample, delay);
   const Q = Matrix.zeros(A.rows, A.rows);
   if (C.columns > 0) Q.setSubMatrix(C.transpose().mmul(C), 0, 0);
-  const cost = delayedCost(A, B, Q, Matrix.diag([...design.weights.R]), sample, delay);
-  const { gain, residual } = solveDare(plant.A, plant.B, cost.Q, cost.R, cost.N);
+  const R = Matrix.diag([...design.weights.R]);
+  const cost = delayedCost(A, B, Q, R, sample, delay);
+  const { gain, residual } = solveDare(plant.A, plant.B, cost.Q, cost.R, cost.N, () =>
+    heldTwice(A, B, C, R, sample, delay),
+  );
   return report(design, timing, plant, A.rows, gain, residual);
 }
 

@@ -64,7 +64,7 @@ export const words = {
   run: 'Run',
   runOf: (run: number, runs: number) => `${run} of ${runs}`,
   time: 'Time',
-  timeColumn: (name: string) => `column ${name}`,
+  timeColumn: (name: string) => (/^column \d+$/.test(name) ? name : `column ${name}`),
   timeCounted: 'rows are a step apart',
   forms: {
     number: 'numbers',

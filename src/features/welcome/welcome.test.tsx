@@ -1,11 +1,12 @@
 // @vitest-environment happy-dom
 // The tour goes on and back, names its steps, and ends by its button or Escape.
-import { cleanup, fireEvent, render, screen } from '@testing-library/preact';
+import { act, cleanup, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, expect, test, vi } from 'vitest';
-import { draw, testApp } from '../../../tests/ui/page.tsx';
+import { draw, putOnStage, testApp } from '../../../tests/ui/page.tsx';
 import { WelcomeView } from './offer.tsx';
 import { steps } from './steps.ts';
 import { Tour } from './tour.tsx';
+import { Welcome } from './welcome.tsx';
 import { text } from './words.ts';
 
 afterEach(cleanup);
@@ -43,4 +44,16 @@ test('the offer: one thing to try is a case that there is', () => {
   fireEvent.click(screen.getByTestId('offer-try'));
   expect(onEnd).toHaveBeenCalledTimes(1);
   expect(app.cases.map(({ id }) => id)).toContain(load.mock.calls[0]![0]);
+});
+
+test('the offer stands over a run, not over a file that was opened', async () => {
+  const app = testApp();
+  const scenario = { version: 1, system: 'rolling-wheel', duration: 0.1 } as const;
+  putOnStage(app, scenario);
+  draw(<Welcome />, { app });
+  expect(await screen.findByTestId('offer')).toBeTruthy();
+  void act(() => void putOnStage(app, scenario, 'file'));
+  expect(screen.queryByTestId('offer')).toBeNull();
+  void act(() => void putOnStage(app, scenario));
+  expect(screen.queryByTestId('offer')).toBeTruthy();
 });

@@ -21,9 +21,13 @@ const firstVisit = (): boolean =>
 export function Welcome() {
   const { state } = useUi().app;
   const offered = useSignal(firstVisit());
-  // Who rides has found something to do.
+  // Who rides, or has opened a file, has found something to do.
   const riding = state.motion.value?.written?.control?.type === 'ride';
-  const wanted = useComputed(() => touring.value || (offered.value && state.motion.value !== null)).value && !riding;
+  const wanted =
+    useComputed(() => {
+      const motion = state.motion.value;
+      return touring.value || (offered.value && motion !== null && motion.source !== 'file');
+    }).value && !riding;
   const view = useSignal<ComponentType<ComponentProps<typeof WelcomeView>> | null>(null);
   useEffect(() => {
     if (wanted && !view.value)

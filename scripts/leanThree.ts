@@ -52,7 +52,6 @@ export const NEVER: Readonly<Record<string, string>> = {
 
 /** Materials' shaders that are never compiled: whoever does gets an error that says why. By file and what makes one. */
 export const UNUSED_SHADERS: Readonly<Record<string, string>> = {
-  cube: 'CubeTexture',
   distance: 'MeshDistanceMaterial',
   equirect: 'EquirectangularReflectionMapping',
   linedashed: 'LineDashedMaterial',

@@ -346,6 +346,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       quality = next;
       room.set(next);
       hasten();
+      requestRender(); // it is with a picture that a room begins to come
     },
     setHasty(next) {
       if (next === hasty) return;

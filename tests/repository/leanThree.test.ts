@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
-import { IDLE, NEVER, UNUSED_SHADERS, leanShader } from '../../scripts/leanThree.ts';
+import { IDLE, NEVER, UNUSED_SHADERS, leanModules, leanShader } from '../../scripts/leanThree.ts';
 
 const folder = fileURLToPath(new URL('../../src/scene/', import.meta.url));
 const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts'));
@@ -19,6 +19,16 @@ test('no source of the scene names what is left out of three.js', () => {
     return words.filter((word) => word.test(code)).map((word) => `${name}: ${word.source}`);
   });
   expect(found).toEqual([]);
+});
+
+test('no module of three.js that is built makes a material of a shader that is left out', () => {
+  const shader = /\bShaderChunk\.(\w+)_(?:vert|frag)\b/g;
+  const found = [...leanModules()].flatMap(([path, { code }]) =>
+    path.endsWith('ShaderLib.js') ? [] : [...code.matchAll(shader)].map(([, name]) => name!),
+  );
+  // The room that metals mirror is drawn with the cube's.
+  expect(found).toContain('cube');
+  expect(found.filter((name) => name in UNUSED_SHADERS)).toEqual([]);
 });
 
 describe('a shader without what is never on', () => {

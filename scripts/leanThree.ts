@@ -80,6 +80,17 @@ export class WebXRManager extends EventDispatcher {
     needed: /uniformsGroup/i,
     code: 'export const WebGLUniformsGroups = function () { this.dispose = function () {}; };',
   },
+  WebGLEnvironments: {
+    needed: /Equirectangular|Cube(?:Texture|Camera|RenderTarget|Re)/,
+    code: `
+export const WebGLEnvironments = function () {
+  this.get = (texture) => texture ?? null;
+  this.dispose = () => {};
+}`,
+  },
+  WebGLOutput: { needed: /outputBufferType|setEffects/, code: 'export const WebGLOutput = function () {};' },
+  FileLoader: { needed: /FileLoader/, code: 'export const FileLoader = function () {};' },
+  TextureLoader: { needed: /TextureLoader/, code: 'export const TextureLoader = function () {};' },
   WebGLMorphtargets: { needed: /morph/i, code: 'export const WebGLMorphtargets = function () {};' },
 };
 

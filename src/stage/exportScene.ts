@@ -54,7 +54,7 @@ export async function openShot(
   const ghosts = await ghostPoses(app, pace);
   const switches = untracked(() => drawnSettings(state));
   const { forces, metresPerNewton: perNewton } = switches;
-  const capture = openCapture({
+  const capture = await openCapture({
     ...plan,
     theme: state.theme.peek(),
     closeUp: state.showInset.peek() && dressed.cast!.stage.closeUp !== null ? plan.closeUpTitle : null,

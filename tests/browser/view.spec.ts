@@ -85,6 +85,22 @@ test('views, names, axes, the inset and the legend are a press away, and an idle
   expect(watch.errors).toEqual([]);
 });
 
+test('a detailed look mirrors a room, and every shader of it compiles', async ({ page }) => {
+  const watch = await openPage(page);
+  await seek(page, 3);
+  await pause(page);
+  await drawn(page);
+  const plain = await picture(page);
+  await page.getByTestId('view-menu').click();
+  const studio = page.waitForResponse(/\/studio-/);
+  await page.getByTestId('look-quality').selectOption('high');
+  await page.keyboard.press('Escape');
+  await studio;
+  const changed = async () => differingPixels(page, await picture(page), plain, await screenBox(page, 0));
+  await expect.poll(changed, 'what is lit and mirrored').toBeGreaterThan(300);
+  expect(watch.errors).toEqual([]);
+});
+
 test('the board stays in the picture when the stage becomes narrow', async ({ page }) => {
   await openPage(page);
   await pause(page);

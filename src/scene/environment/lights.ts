@@ -1,6 +1,5 @@
 /** Studio light: a wide sky, one key light with the shadow, and (where affordable) a room to mirror. */
-import { type Scene, type WebGLRenderer, DirectionalLight, HemisphereLight, PMREMGenerator, type Texture } from 'three';
-import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { type Scene, DirectionalLight, HemisphereLight, type Texture } from 'three';
 import type { Palette } from '../palette.ts';
 
 /** Half of the shadowed square and where the key light stands, both per metre of what is lit: steep, so that the shadow lies under it and tells its height. */
@@ -71,16 +70,11 @@ export class Lights {
     this.key.position.set(x + KEY[0] * size, y + KEY[1] * size, z + KEY[2] * size);
   }
 
-  /** Renders the room once: cheap on a graphics card, seconds in software. */
-  makeRoom(renderer: WebGLRenderer): void {
+  /** @param light of a room, from then on the scene's own */
+  setRoom(light: Texture): void {
     this.dropRoom();
-    const generator = new PMREMGenerator(renderer);
-    const room = new RoomEnvironment();
-    room.rotation.x = Math.PI / 2; // made for Y up
-    this.room = generator.fromScene(room, 0.04).texture;
-    room.dispose();
-    generator.dispose();
-    this.scene.environment = this.room;
+    this.room = light;
+    this.scene.environment = light;
     this.setPalette(this.palette);
   }
 

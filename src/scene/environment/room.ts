@@ -3,6 +3,15 @@ import type { WebGLRenderer } from 'three';
 import type { Quality } from '../contract.ts';
 import { whenIdle } from './device.ts';
 import type { Parts } from '../actors/parts.ts';
+import type * as Studio from './studio.ts';
+
+/** What makes it, once it is loaded. */
+let studio: typeof Studio | null = null;
+
+/** Before a picture that cannot wait: what a room takes. Rejects where it can't be fetched. */
+export async function loadStudio(): Promise<void> {
+  studio ??= await import('./studio.ts');
+}
 
 /** A picture that takes longer than this (ms) says that the device cannot afford the environment. */
 const SLOW_PICTURE = 60;
@@ -78,8 +87,16 @@ export class Room {
 
   private make(): void {
     if (this.over || this.state !== 'coming' || this.gl.isContextLost()) return;
+    if (!studio) {
+      // What could not be fetched is done without, until it is asked for again.
+      void loadStudio().then(
+        () => this.make(),
+        () => (this.state = 'refused'),
+      );
+      return;
+    }
     this.state = 'made';
-    this.parts.lights.makeRoom(this.renderer);
+    this.parts.lights.setRoom(studio.roomLight(this.renderer));
     this.changed();
   }
 }

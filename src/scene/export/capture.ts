@@ -1,6 +1,7 @@
 /** A second scene on a canvas of its own, at any size: for pictures and videos that leave the page. */
 import { closeUpBox, writeCaption, writeCloseUp, writeLegend } from './captureNotes.ts';
 import type { SceneView } from '../contract.ts';
+import { loadStudio } from '../environment/room.ts';
 import { createScene } from '../scene.ts';
 
 export interface CaptureOptions {
@@ -28,7 +29,7 @@ export interface Capture {
 }
 
 /** @throws NoWebGlError, or Error when the graphics processor has no room for that size. */
-export function openCapture({
+export async function openCapture({
   width,
   height,
   theme,
@@ -37,7 +38,8 @@ export function openCapture({
   supersample,
   closeUp,
   legend,
-}: CaptureOptions): Capture {
+}: CaptureOptions): Promise<Capture> {
+  await loadStudio();
   const drawn = document.createElement('canvas');
   const canvas = document.createElement('canvas');
   canvas.width = width;

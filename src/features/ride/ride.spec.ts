@@ -3,7 +3,7 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
-import { exportCsv, measured, openPage, VIEWPORT } from '../../../tests/browser/helpers.ts';
+import { exportCsv, measured, openPage, seek, VIEWPORT } from '../../../tests/browser/helpers.ts';
 
 test.use({ viewport: VIEWPORT });
 
@@ -52,5 +52,20 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   // Left between two rows, the run has one more at its end.
   expect(repeated.length - ridden.length).toBeLessThanOrEqual(1);
   expect(ridden).toEqual(repeated.slice(0, ridden.length));
+
+  // From a moment of it the ride is ridden on: up to there it is what it was.
+  await seek(page, 3);
+  await page.keyboard.press('u');
+  await expect(ride).toHaveAttribute('data-phase', 'over');
+  await page.getByTestId('ride-take-over').click();
+  await expect(ride).toHaveAttribute('data-phase', 'riding', { timeout: 60_000 });
+  await page.keyboard.press('ArrowLeft', { delay: 300 });
+  await expect(ride).toHaveAttribute('data-time', /^[4-9]/, { timeout: 60_000 });
+  await page.keyboard.press('Escape');
+  const on = await exportCsv(page);
+  const upTo = (all: readonly number[][]) => all.filter((row) => row[0]! <= 3);
+  expect(upTo(rows).length).toBeGreaterThan(250);
+  expect(upTo(on.rows)).toEqual(upTo(rows));
+  expect(on.rows).not.toEqual(rows.slice(0, on.rows.length));
   expect(watch.errors).toEqual([]);
 });

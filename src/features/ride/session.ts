@@ -57,7 +57,7 @@ export class Session {
     this.draw = draw;
     const { state, actions } = this.app;
     const view = state.view.peek();
-    this.begin();
+    if (!this.goOn()) this.begin();
     let frame = requestAnimationFrame(function next(this: void, now: number) {
       follow(now);
       frame = requestAnimationFrame(next);
@@ -73,6 +73,21 @@ export class Session {
       if (state.view.peek() === 'rider') actions.set('view', view);
       if (state.motion.peek()?.written?.control?.type === 'ride') actions.report('info', words.label, [words.kept]);
     };
+  }
+
+  /** A ride that is on the stage is not thrown away: it is ridden on, from where one likes, or begun again. */
+  private goOn(): boolean {
+    const { motion, run } = this.app.state;
+    const file = motion.peek()?.written;
+    if (file?.control?.type !== 'ride' || run.peek()?.kind === 'computing') return false;
+    this.rider = file.system === 'ripstik-rider';
+    this.free = (file.release ?? []).length > 0;
+    this.best = storedBest(this.kind);
+    this.phase = 'over';
+    this.said = words.there;
+    this.showGates();
+    this.draw();
+    return true;
   }
 
   begin(): void {

@@ -12,6 +12,7 @@ export const words = {
   label: 'Riding',
   title: (kind: Kind) => (kind === 'board' ? 'Ride of the board alone' : 'Ride with a rider'),
   ready: 'The board is being made ready …',
+  there: 'A ride is on the stage: go to any moment of it and ride on from there, or ride again.',
   begin: 'Push off with ↑, steer with ← and →.',
   beginByTouch: 'Hold Push to start, steer with Left and Right.',
   keys: (kind: Kind) =>

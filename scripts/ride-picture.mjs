@@ -6,12 +6,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { Plain, root } from './setup.mjs';
 
-/** The ride: pushed off, a turn to each side, pumped. */
+/** The ride: pushed off, a turn to each side with hips and shoulders ahead, a crouch, pumped. */
 const RIDE = {
   version: 1,
   system: 'ripstik-rider',
   parameters: { wheelDrag: 0.5 },
   initial: { beta: '1 deg' },
+  release: ['crouch', 'twist'],
   control: {
     type: 'ride',
     commands: [
@@ -19,7 +20,9 @@ const RIDE = {
       [3, 'left', 0.8],
       [5, 'right', 0.8],
       [8, 'straight'],
-      [8.2, 'pump'],
+      [8.2, 'crouch', 0.8],
+      [9.2, 'crouch', 0],
+      [9.4, 'pump'],
     ],
   },
   method: { rtol: 1e-6, atol: 1e-8 },

@@ -54,7 +54,8 @@ export const words = {
   },
   tilt: 'Tilt to lean',
   noTilt: 'This device tells no tilt, or was not allowed to.',
-  speed: (v: number) => `${v.toFixed(1)} m/s`,
+  // No minus before a zero.
+  speed: (v: number) => `${(Math.round(10 * v) / 10 + 0).toFixed(1)} m/s`.replace('-', '\u2212'),
   seconds: (t: number) => `${t.toFixed(1)} s`,
   course: 'Course',
   gate: (passed: number, all: number) => `gate ${passed} of ${all}`,

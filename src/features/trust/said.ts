@@ -7,9 +7,12 @@ const { seconds } = words;
 /** Cut, not rounded: a run is right at least so long. */
 const cut = (t: number): number => Math.floor(t * 100 + 1e-6) / 100;
 
+/** Digits that hold all the time: what is lost in between and found again does not count. */
+const heldBy = (digits: Trust['digits']): number => Math.floor(digits.reduce((least, [, d]) => Math.min(least, d), 3));
+
 export function saidOf({ until, compared, digits }: Trust): string {
   if (until[4] === compared) return words.all(seconds(cut(compared)));
-  if (until[1] === compared) return words.holds(seconds(cut(until[4])), Math.min(3, Math.floor(digits.at(-1)![1])));
+  if (until[1] === compared) return words.holds(seconds(cut(until[4])), heldBy(digits), seconds(cut(compared)));
   return words.fades(seconds(cut(until[4])), seconds(Math.ceil(until[1] * 100 - 1e-6) / 100));
 }
 
@@ -23,10 +26,12 @@ export function stopsOf({ until, compared }: Trust, start: number, end: number):
     { at: place(until[2]), strength: 0.55 },
     { at: place(until[1]), strength: 0.25 },
   ];
-  // Until the end of what was compared only what holds there is shown.
-  const held = stops.filter((stop, i) => i === 0 || stop.at < last || i === 1);
-  const end4 = held.at(-1)!;
-  return until[1] === compared
-    ? [...held, { at: last, strength: end4.strength }, { at: last, strength: 0 }]
-    : [...stops, { at: place(until[1]), strength: 0 }];
+  if (until[1] < compared) return [...stops, { at: place(until[1]), strength: 0 }];
+  // What holds to the end of what was compared is the strength there.
+  const held = stops[[until[4], until[2], until[1]].findIndex((t) => t === compared) + 1]!;
+  return [
+    ...stops.filter(({ at }, i) => i === 0 || at < last),
+    { at: last, strength: held.strength },
+    { at: last, strength: 0 },
+  ];
 }

@@ -8,7 +8,8 @@ export const words = {
   askTitle: 'Computes this long run again by another method, and tells how many digits agree until when',
   all: (end: string) => `right to 4 digits to the end, ${end}`,
   fades: (four: string, none: string) => `right to 4 digits until ${four}, to none after ${none}`,
-  holds: (four: string, digits: number) => `right to 4 digits until ${four}, to ${digits} at the end`,
+  holds: (four: string, digits: number, end: string) =>
+    `right to 4 digits until ${four}, to ${digits} to the end, ${end}`,
   seconds,
   title: (method: string, rtol: string, until: string) =>
     `Computed again by ${method} with rtol ${rtol} and compared until ${until}. A digit counts as right where both agree: 4 digits are 0.0001 of the largest value so far`,

@@ -1,4 +1,5 @@
 import { closuresOf, mark } from './expressions/closures.ts';
+import { withoutDifferences } from './expressions/differences.ts';
 import { dualBeyondRange } from './expressions/beyondRange.ts';
 import { ExpressionError } from './expressions/expressionError.ts';
 import { operators, several, unary } from './expressions/functions.ts';
@@ -66,11 +67,13 @@ export function formulaTree(text: string, variables: readonly string[]): Node {
 }
 
 /**
- * Doubles first; where a number left their range, beyond it; where the formula has no value, its limit.
+ * Doubles first; where a number left their range, beyond it; where the formula has no value, its limit. Differences of
+ * exponentials that nearly cancel are taken without the difference.
  *
- * @param tree of a formula of t
+ * @param written tree of a formula of t
  */
-export function compiled(tree: Node): CompiledExpression {
+export function compiled(written: Node): CompiledExpression {
+  const tree = withoutDifferences(written);
   const closures = closuresOf(tree);
   const value = (t: number): number => {
     mark.lost = false;

@@ -252,6 +252,11 @@ describe('bounds', () => {
           'sinh((t-A)/W)/cosh((t-A)/W)^2',
           'exp(-(t-A)/W-2*log(1+exp(-(t-A)/W)))',
           '(exp((t-A)/W)-exp(-(t-A)/W))/(exp((t-A)/W)+exp(-(t-A)/W))',
+          // Differences of what is beyond doubles.
+          '(exp((t-A)/W)-exp((t-A)/W-1))/(1+exp((t-A)/W))^2',
+          '(sqrt(exp(2*(t-A)/W)+1)-exp((t-A)/W))/(1+exp(-(t-A)/W))',
+          '(cosh((t-A)/W)-sinh((t-A)/W))/(1+exp(-(t-A)/W))^2',
+          '(log(exp((t-A)/W)+1)-(t-A)/W)/(1+exp(-2*(t-A)/W))',
         ),
         (at, exponent, shape) => {
           const width = 10 ** exponent;

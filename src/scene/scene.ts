@@ -20,7 +20,7 @@ import type { Plain } from './actors/plain.ts';
 import { CameraRig } from './camera/camera.ts';
 import type { Frame, SceneOptions, ScreenBox, SceneView, Switches, ViewName } from './contract.ts';
 import { openContext, watchContext } from './environment/device.ts';
-import { Haste } from './environment/haste.ts';
+import type { Haste } from './environment/haste.ts';
 import { Focus } from './camera/focus.ts';
 import { METRES_PER_NEWTON } from './overlay/forces.ts';
 import { PushDrag } from './overlay/pushDrag.ts';
@@ -74,7 +74,8 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     requestRender();
   });
   room.set(options.quality ?? 'auto');
-  const haste = new Haste(software);
+  /** Loaded when pictures must come soon. */
+  let haste: Haste | null = null;
   /** Loaded with the first of them. */
   let gates: Gates | null = null;
   /** Loaded with the first picture in haste that leaves something out. */
@@ -111,7 +112,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   function render(now: number): void {
     requested = 0;
     rig.update(now);
-    if (haste.picture(now)) sharpen();
+    if (haste?.picture(now)) sharpen(haste);
     renderer.info.reset();
     const close = shown ? inset.place(focus, bodies) : null;
     draw();
@@ -135,16 +136,16 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
     parts.handle.follow(camera);
     look(target, distance, camera.position.z);
     const done = room.watch(announced ? frames : 0);
-    if (plain && haste.plain) plain.draw(renderer, scene, camera);
+    if (plain && haste?.plain) plain.draw(renderer, scene, camera);
     else renderer.render(scene, camera);
     done();
   }
 
   /** As fine as there is time for. */
-  function sharpen(): void {
-    parts.setPlain(haste.plain);
-    options.onCoarse?.(haste.plain);
-    setPlain(haste.plain);
+  function sharpen({ plain }: Haste): void {
+    parts.setPlain(plain);
+    options.onCoarse?.(plain);
+    setPlain(plain);
     fitCanvas();
     measure();
   }
@@ -155,7 +156,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
       ghosts.follow();
     } else
       void import('./actors/plain.ts').then(({ Plain }) => {
-        if (!haste.plain || disposed) return;
+        if (!haste?.plain || disposed) return;
         plain ??= new Plain(
           {
             BufferAttribute,
@@ -176,15 +177,24 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   }
 
   function fitCanvas(): void {
-    renderer.setPixelRatio(size.ratio * haste.share);
+    renderer.setPixelRatio(size.ratio * (haste?.share ?? 1));
     renderer.setSize(size.width, size.height, false);
   }
 
   function hasten(): void {
+    const wanted = hasty && quality !== 'high';
+    if (!haste) {
+      if (wanted)
+        void import('./environment/haste.ts').then(({ Haste }) => {
+          haste ??= new Haste(software);
+          if (!disposed) hasten();
+        });
+      return;
+    }
     const { share } = haste;
-    haste.set(hasty && quality !== 'high');
+    haste.set(wanted);
     if (haste.share === share) return;
-    sharpen();
+    sharpen(haste);
     redraw();
   }
 
@@ -242,7 +252,7 @@ export function createScene(canvas: HTMLCanvasElement, options: SceneOptions): S
   }
 
   function measure(): void {
-    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio * haste.share });
+    parts.resize({ perPixel: rig.spread / size.height, ratio: size.ratio * (haste?.share ?? 1) });
   }
 
   function pickAt(x: number, y: number, reach = 0) {

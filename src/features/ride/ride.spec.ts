@@ -25,6 +25,8 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   await expect(ride).toHaveAttribute('data-passed', /^[2-4]$/, { timeout: 60_000 });
   await page.keyboard.up('ArrowUp');
   for (const key of ['c', 'q', 'e']) await page.keyboard.press(key, { delay: 500 });
+  for (let i = 0; i < 8; i++)
+    for (const key of ['ArrowLeft', 'ArrowRight']) await page.keyboard.press(key, { delay: 90 + 10 * i });
   await page.keyboard.down('ArrowDown');
   await expect(ride).toHaveAttribute('data-speed', /^-?0\.[01]/, { timeout: 30_000 });
   const read = (name: string) => ride.getAttribute(`data-${name}`);

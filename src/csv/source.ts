@@ -21,7 +21,7 @@ const EMPTY_GROUP = /^(?:rigid ?body|bone|marker|rigid body marker|type|name|id|
 const LONGEST_RUN = 100;
 /** `x (m) Run #1`, `Run 1: x (m)`: a school's loggers name the run beside each column. */
 function runIn(title: string): [run: string, rest: string] {
-  if (title.length > LONGEST_RUN) return ['', title];
+  if (title.length > LONGEST_RUN || !/run|trial|set|take|latest/i.test(title)) return ['', title];
   const behind = /^(.*\S)[\s,_-]+((?:run|trial|set|data ?set|take)\s*#?\s*\d+)$/i.exec(title);
   if (behind) return [behind[2]!, behind[1]!];
   const before = /^((?:run|trial|set|data ?set|take)\s*#?\s*\d+|latest)\s*[:.,_-]\s*(.+)$/i.exec(title);

@@ -1,7 +1,6 @@
 import { EigenvalueDecomposition, Matrix } from 'ml-matrix';
-import { doubled } from './doubling.ts';
-import { squaresOf, type SquareAlgebra } from '../../linalg/square.ts';
-import { ControlError, fromRowMajor, norm, symmetricPart, toRowMajor } from '../linearization/matrices.ts';
+import { leastSolution } from './cayley.ts';
+import { ControlError, norm, symmetricPart } from '../linearization/matrices.ts';
 import { complexText, ON_AXIS, plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
 import { solveCareTwice } from './careTwice.ts';
 import { axisSubspace } from '../linearization/axisSubspace.ts';
@@ -37,10 +36,7 @@ export interface RiccatiSolution {
   corrections: number;
 }
 
-const MOST_DOUBLINGS = 60;
 const MOST_CORRECTIONS = 20;
-/** Change of X per doubling, relative, at which quadratic convergence has arrived. */
-const CONVERGED = 1e-15;
 /** A residual above this is no solution; the solver's own is near 1e-16. */
 const ACCEPTED = 1e-10;
 
@@ -149,76 +145,6 @@ function remainder(AtX: Matrix, w: Matrix, Q: Matrix): Matrix {
   return Matrix.add(AtX, AtX.transpose()).sub(w.transpose().mmul(w)).add(Q);
 }
 
-/** Paper symbols: A_k, G_k, H_k; H_k tends to X. Null where it does not converge. */
-function doubling(A: Matrix, G: Matrix, H: Matrix): { Y: Matrix; steps: number } | null {
-  const n = A.rows;
-  const algebra = squaresOf(n);
-  const first = bestCayley(algebra, toRowMajor(A), toRowMajor(G), toRowMajor(H));
-  if (!first) return null;
-  const found = doubled(algebra, n, first, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED });
-  return found && { Y: fromRowMajor(found.X, n, n), steps: found.steps };
-}
-
-/** Shares tried for gamma: of |A|, and of the rate that G and H make by themselves, which a plant of integrators has alone. */
-const GAMMAS = Array.from({ length: 7 }, (_, i) => 4 ** (i - 5));
-const SLOW = 1e-6;
-
-interface Cayley {
-  gamma: number;
-  /** Of A - gamma I, and of W, the paper's other matrix to invert. */
-  inverse: Float64Array;
-  inverseW: Float64Array;
-  /** The larger condition number of the two. */
-  condition: number;
-}
-
-/** The Cayley transform whose matrices to invert are best conditioned (the paper minimizes the same by a line search). */
-function bestCayley(
-  algebra: SquareAlgebra,
-  A: Float64Array,
-  G: Float64Array,
-  H: Float64Array,
-): { Ak: Float64Array; Gk: Float64Array; Hk: Float64Array } | null {
-  const { times, plus, scaled, symmetric, transposed, norm: size } = algebra;
-  const sizes = [size(A), Math.sqrt(size(G) * size(H))];
-  let best: Cayley | null = null;
-  for (const gamma of sizes.flatMap((one) => GAMMAS.map((share) => share * one))) {
-    // Far below every rate the transform is the identity to rounding, and perfectly conditioned.
-    const tried = gamma > SLOW * Math.max(...sizes) ? cayley(algebra, A, G, H, gamma) : null;
-    if (tried && tried.condition < (best?.condition ?? Infinity)) best = tried;
-  }
-  if (!best) return null;
-  const { gamma, inverse, inverseW } = best;
-  const twice = 2 * gamma;
-  return {
-    Ak: plus(algebra.identity(), scaled(transposed(inverseW), twice)),
-    Gk: symmetric(scaled(times(times(inverse, G), inverseW), twice)),
-    Hk: symmetric(scaled(times(times(inverseW, H), inverse), twice)),
-  };
-}
-
-function cayley(
-  { identity, times, plus, scaled, transposed, solve, norm: size }: SquareAlgebra,
-  A: Float64Array,
-  G: Float64Array,
-  H: Float64Array,
-  gamma: number,
-): Cayley | null {
-  const I = identity();
-  const shifted = plus(A, scaled(I, -gamma));
-  const inverse = solve(shifted, I);
-  if (!inverse) return null;
-  const W = plus(transposed(shifted), times(times(H, inverse), G));
-  const inverseW = solve(W, I);
-  if (!inverseW) return null;
-  return {
-    gamma,
-    inverse,
-    inverseW,
-    condition: Math.max(size(shifted) * size(inverse), size(W) * size(inverseW)),
-  };
-}
-
 /** The equation in coordinates x = T z, with a stabilizing Y to start from. */
 interface Scaled {
   inverseT: Matrix;
@@ -240,11 +166,11 @@ function stabilizing(A: Matrix, F: Matrix, Q: Matrix): Scaled | null {
   const G = F.mmul(F.transpose());
   const cost = norm(Q) > 0 ? norm(Q) : norm(A) ** 2 / (norm(G) || 1);
   for (const seen of [Q, Matrix.add(Q, Matrix.eye(A.rows).mul(cost))]) {
-    const rough = doubling(A, G, seen);
+    const rough = leastSolution(A, G, seen);
     if (!rough) continue;
     const { T, inverseT } = whitening(rough.Y);
     const [a, f, q] = [inverseT.mmul(A).mmul(T), inverseT.mmul(F), symmetricPart(T.transpose().mmul(Q).mmul(T))];
-    const fine = doubling(a, f.mmul(f.transpose()), q);
+    const fine = leastSolution(a, f.mmul(f.transpose()), q);
     for (const Y of [fine?.Y, symmetricPart(T.transpose().mmul(rough.Y).mmul(T))]) {
       if (Y && stabilizes(a, f, Y)) return { inverseT, a, f, q, Y, steps: rough.steps + (fine?.steps ?? 0) };
     }

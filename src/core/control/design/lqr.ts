@@ -103,6 +103,7 @@ export function reachablePlant(linearization: Linearization): ReachablePlant {
  * Symbols: N tangent basis; V, Vp reachable directions and their complement; W = V^T - S Vp^T, which leaves out modes
  * that no input reaches; U, Up the unseen modes on the imaginary axis and their complement. `u = -K_q Up^T W N^T x`.
  *
+ * @param plant what `reachablePlant` makes of a linearization
  * @param weights diagonals: Q by state (2n), R by input (k)
  * @throws ControlError naming an unstable mode that no input reaches, or where the Riccati equation has no
  * stabilizing solution

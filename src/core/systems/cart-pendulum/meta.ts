@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravity } from '../gravity.ts';
 
 const report = 'report, section 3.3.1';
 
@@ -49,15 +50,7 @@ export const cartPendulumMeta = {
       note: 'also its radius of gyration about that centre',
       source: report,
     },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      source: 'the earth’s, rounded',
-    },
+    gravity,
   ],
   parameterSets: {},
   constraintSets: [{ id: 'none', label: 'None: there are no constraints' }],

@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravityAcross } from '../gravity.ts';
 
 const paper = 'Kinugasa et al. 2013';
 
@@ -86,16 +87,7 @@ export const casterboardRobotMeta = {
       source: paper,
     },
     { name: 'c', symbol: 'c', label: 'drag', unit: 'N·s/m', default: 0.8, min: 0, group: 'Losses', source: paper },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      note: 'acts across the level ground: it does not change the motion',
-      source: 'the earth’s, rounded; without effect here',
-    },
+    gravityAcross,
   ],
   parameterSets: { text: {}, table: { J: 0.039 } },
   constraintSets: [

@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravityAcross } from '../gravity.ts';
 
 const own = 'chosen for this program, not published';
 
@@ -32,16 +33,7 @@ export const chaplyginSleighMeta = {
       group: 'Sleigh',
       source: own,
     },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      note: 'acts across the level ground: it does not change the motion',
-      source: 'the earth’s, rounded; without effect here',
-    },
+    gravityAcross,
   ],
   parameterSets: {},
   constraintSets: [

@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravity } from '../gravity.ts';
 
 const authors = 'model of the report’s authors';
 const degree = Math.PI / 180;
@@ -170,15 +171,7 @@ export const ripstikMeta = {
       group: 'Casters',
       source: authors,
     },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      source: 'the earth’s, rounded',
-    },
+    gravity,
     {
       name: 'torsionStiffness',
       symbol: 'k_t',

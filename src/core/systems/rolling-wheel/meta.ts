@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravityAcross } from '../gravity.ts';
 
 const report = 'report, section 3.4.1';
 
@@ -53,16 +54,7 @@ export const rollingWheelMeta = {
       group: 'Wheel',
       source: report,
     },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      note: 'acts across the level ground: it does not change the motion',
-      source: 'the earth’s, rounded; without effect here',
-    },
+    gravityAcross,
   ],
   parameterSets: {},
   constraintSets: [

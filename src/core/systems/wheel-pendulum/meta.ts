@@ -1,4 +1,5 @@
 import type { SystemMeta } from '../../model/system.ts';
+import { gravity } from '../gravity.ts';
 
 const report = 'report, section 3.5';
 
@@ -70,15 +71,7 @@ export const wheelPendulumMeta = {
       note: 'a thin rod of length 2 L',
       source: report,
     },
-    {
-      name: 'gravity',
-      symbol: 'g',
-      label: 'gravity',
-      unit: 'm/s²',
-      default: 9.81,
-      group: 'World',
-      source: 'the earth’s, rounded',
-    },
+    gravity,
   ],
   parameterSets: {},
   constraintSets: [

@@ -39,6 +39,8 @@ const ends: Readonly<Record<string, Readonly<Record<string, readonly [value: num
   'bicycle-stable': { roll: [-0.000523, 1e-5], y: [-8.08767, 1e-3] },
   'bicycle-weave': { roll: [-0.354201, 1e-5], steer: [-0.354737, 1e-5] },
   'bicycle-capsize': { roll: [0.030087, 1e-6], y: [-10.2092, 1e-3] },
+  'rider-hips': { X: [21.73225, 1e-3], Y: [0.0197, 1e-3], twist: [-0.23449, 1e-4] },
+  'rider-landing': { X: [2.96736, 1e-4], Y: [-0.45741, 1e-4], beta: [0.000065, 1e-6] },
   'bicycle-rider-no-hands': { x: [39.87972, 1e-3], y: [-2.93608, 1e-3], roll: [0, 1e-5] },
   'bicycle-rider-firm': { x: [46.5965, 1e-3], y: [-17.8087, 1e-3], lean: [-0.000155, 1e-5] },
   'bicycle-rider-limp': { roll: [-0.178166, 1e-4], lean: [1.027304, 1e-4] },

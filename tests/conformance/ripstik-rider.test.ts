@@ -168,6 +168,30 @@ describe('legs and hips', () => {
     expect(distance(endOf({ ...raw, method: { name: 'ida', rtol: 1e-9, atol: 1e-11 } }), known)).toBeLessThan(1e-4);
   });
 
+  test('hips that swing carry the board on: 2.09 m/s in place of 1.28 after 12 s', () => {
+    const { scenario } = cases.find((c) => c.id === 'rider-hips')!;
+    const speed = (raw: object): number => {
+      const { columns } = runOf(raw);
+      return Math.hypot(columns.get('X_dot')!.at(-1)!, columns.get('Y_dot')!.at(-1)!);
+    };
+    expect(speed(scenario)).toBeCloseTo(2.094, 2);
+    expect(speed({ ...scenario, control: { ...scenario.control, commands: [] } })).toBeCloseTo(1.278, 2);
+  });
+
+  test('legs that give take a landing up: 10.4 cm, 1,444 N on the wheels; stiff ones 2,088 N', () => {
+    const { scenario } = cases.find((c) => c.id === 'rider-landing')!;
+    const landed = (parameters: object) => {
+      const { columns, end } = runOf({ ...scenario, parameters });
+      expect(end.reason).toBe('end');
+      const [front, back] = [columns.get('lambda_2')!, columns.get('lambda_4')!];
+      return { deep: Math.max(...columns.get('crouch')!), load: Math.max(...front.map((x, i) => x + back[i]!)) };
+    };
+    const soft = landed({});
+    expect(soft.deep).toBeCloseTo(0.104, 3);
+    expect(Math.abs(soft.load - 1444)).toBeLessThan(2);
+    expect(Math.abs(landed({ legStiffness: 20_000 }).load - 2088)).toBeLessThan(3);
+  });
+
   test('weights by the name of a state reach what is free, and the gain is that of the held rider where it is not', () => {
     const control = { ...balanced.control, inputs: ['tau_af', 'tau_ab', 'tau_twist_rider'] } as object;
     const Q = { ...(balanced.control as { Q: object }).Q, twist: 100, twist_dot: 1 };

@@ -71,7 +71,7 @@ export interface CasePlot {
   x: string;
   y: readonly string[];
   /** Of the vertical axis; angles are recorded in rad and shown in what is named here. */
-  unit: 'deg' | 'rad' | 'm' | 'm/s' | 'rad/s' | 'N·m' | 'W' | '1';
+  unit: 'deg' | 'rad' | 'm' | 'm/s' | 'rad/s' | 'N·m' | 'N' | 'W' | '1';
   /** Where the figure's horizontal axis ends, if before the run. */
   to?: number;
   /** The same length on both axes shows as the same length. */

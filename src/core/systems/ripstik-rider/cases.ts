@@ -82,4 +82,48 @@ export const ripstikRiderCases: readonly Case[] = [
     },
     plots: [leans, torques, path],
   },
+  {
+    id: 'rider-hips',
+    title: 'Rider who swings the hips',
+    source: '',
+    look: 'Hips and shoulders swing by 34° against the feet, every 0.4 s the other way, and the feet do no more than balance. From 1.5 m/s, against the drag of the wheels, the board goes at 2.09 m/s after 12 s; with still hips at 1.28.',
+    picture: { time: 6.2 },
+    scenario: {
+      version: 1,
+      system: 'ripstik-rider',
+      release: ['twist'],
+      parameters: { wheelDrag: 0.5 },
+      initial: { X_dot: 1.5 },
+      control: {
+        type: 'ride',
+        commands: Array.from({ length: 30 }, (_, k) => [Math.round(4 * k) / 10, 'hips', k % 2 === 0 ? 1 : -1] as const),
+      },
+      duration: 12,
+    },
+    plots: [
+      { title: 'Twist of the hips, heading', x: 't', y: ['twist', 'theta'], unit: 'deg' },
+      { title: 'Speed', x: 't', y: ['speed'], unit: 'm/s' },
+      torques,
+    ],
+  },
+  {
+    id: 'rider-landing',
+    title: 'Rider who lands on soft legs',
+    source: '',
+    look: 'Down at 1.4 m/s, as after a hop of 10 cm, at two degrees of lean. Legs give by 10.4 cm, the wheels carry 1,444 N at most, twice the weight; on stiff legs (20,000 N/m) 2,088 N. The feet balance on.',
+    picture: { time: 0.15 },
+    scenario: {
+      version: 1,
+      system: 'ripstik-rider',
+      release: ['crouch'],
+      initial: { X_dot: 1, beta: '2 deg', crouch_dot: 1.4 },
+      control: byTheFeet(1),
+      duration: 3,
+    },
+    plots: [
+      { title: 'Crouch', x: 't', y: ['crouch'], unit: 'm' },
+      { title: 'Load on the wheels', x: 't', y: ['lambda_2', 'lambda_4'], unit: 'N' },
+      leans,
+    ],
+  },
 ];

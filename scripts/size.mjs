@@ -8,7 +8,7 @@ import { firstView } from './firstView.mjs';
 import { Plain, main, root } from './setup.mjs';
 
 /** A page on a slow connection should draw before a person gives up; the bounds are the project's own. */
-const LIMIT_KB = { all: 338, scripts: 330 };
+const LIMIT_KB = { all: 341, scripts: 332 };
 const dist = join(root, 'dist');
 const list = join(root, '.cache/chunks.json');
 

@@ -1,6 +1,6 @@
 import { canBeTold, sampleUpTo, tell } from '../../core/scenario/ride.ts';
 import { ScenarioError, type RideControl } from '../../core/scenario/types.ts';
-import { needsEveryMotion } from '../../core/simulation/motion.ts';
+import { needsEverything } from '../../core/simulation/motion.ts';
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
 import { feedbackFor, partsOf, systemOf } from './load.ts';
@@ -29,7 +29,7 @@ async function compute(
   if (control?.type !== 'ride') throw new ScenarioError('control.type', 'must be "ride"');
   const [system] = await Promise.all([
     systemOf(scenario, partsOf(scenario, false, false)),
-    needsEveryMotion(scenario.method) ? import('../../core/simulation/everyMotion.ts') : null,
+    needsEverything(scenario) ? import('../../core/simulation/everyMotion.ts') : null,
   ]);
   const feedback = await feedbackFor(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, feedback });

@@ -1,4 +1,4 @@
-import { needsEveryMotion } from '../../core/simulation/motion.ts';
+import { needsEverything } from '../../core/simulation/motion.ts';
 import { PAGE_COLUMNS, Simulation } from '../../core/simulation/simulation.ts';
 import { sharedFeedback } from '../../core/sweep/sharedFeedback.ts';
 import type { Caller, Handlers } from '../remote/serve.ts';
@@ -33,7 +33,7 @@ async function compute(
       ...partsOf(scenario, live !== undefined, soonest),
       derived: (done, of) => emit({ type: 'derived', share: done / of }),
     }),
-    soonest && !needsEveryMotion(scenario.method) ? null : import('../../core/simulation/everyMotion.ts'),
+    soonest && !needsEverything(scenario) ? null : import('../../core/simulation/everyMotion.ts'),
   ]);
   const feedback = await designed(scenario, system);
   const simulation = new Simulation(scenario, system, { extras: PAGE_COLUMNS, from, feedback, pushes: live && [] });

@@ -1,5 +1,4 @@
 import { closuresOf, mark } from './expressions/closures.ts';
-import { withoutDifferences } from './expressions/differences.ts';
 import { dualBeyondRange } from './expressions/beyondRange.ts';
 import { ExpressionError } from './expressions/expressionError.ts';
 import { operators, several, unary } from './expressions/functions.ts';
@@ -66,6 +65,14 @@ export function formulaTree(text: string, variables: readonly string[]): Node {
   return new Compiler(plainText(text, variables), variables, true).compile();
 }
 
+/** How formulas are rewritten before they are computed: not at all until `expressions/differences.ts` is there (everyMotion.ts). */
+let rewritten = (tree: Node): Node => tree;
+
+/** @param rewriting of a formula's tree, that keeps its value */
+export function rewriteBy(rewriting: (tree: Node) => Node): void {
+  rewritten = rewriting;
+}
+
 /**
  * Doubles first; where a number left their range, beyond it; where the formula has no value, its limit. Differences of
  * exponentials that nearly cancel are taken without the difference.
@@ -73,7 +80,7 @@ export function formulaTree(text: string, variables: readonly string[]): Node {
  * @param written tree of a formula of t
  */
 export function compiled(written: Node): CompiledExpression {
-  const tree = withoutDifferences(written);
+  const tree = rewritten(written);
   const closures = closuresOf(tree);
   const value = (t: number): number => {
     mark.lost = false;

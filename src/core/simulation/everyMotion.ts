@@ -1,5 +1,5 @@
 /**
- * Every method on every formulation, by either engine. Imported, it serves every run of the program; the page's first
+ * Every method on every formulation, by either engine, and formulas without differences that cancel. Imported, it serves every run of the program; the page's first
  * run alone does without, for it should be seen soon.
  */
 import type { ConstrainedSystem } from '../mechanics/constrainedSystem.ts';
@@ -11,10 +11,13 @@ import { FirstOrder, FirstOrderResidual } from '../mechanics/firstOrder.ts';
 import { Ida } from '../integrators/multistep/ida.ts';
 import type { MethodInfo } from '../integrators/methods.ts';
 import { createStepper } from '../integrators/registry.ts';
+import { rewriteBy } from '../scenario/expressions.ts';
+import { withoutDifferences } from '../scenario/expressions/differences.ts';
 import { ScenarioError, type MethodOptions } from '../scenario/types.ts';
 import { makeMotionsBy, MULTIPLIERS, type Motion } from './motion.ts';
 
 makeMotionsBy(everyMotion);
+rewriteBy(withoutDifferences);
 
 /** Every stepper on every formulation, or `ida` on the residual as it is. @throws ScenarioError */
 function everyMotion(info: MethodInfo, method: MethodOptions, dynamics: ConstrainedSystem): Motion {

@@ -38,6 +38,10 @@ export function makeMotionsBy(maker: MakeMotion): void {
 export const needsEveryMotion = ({ name, formulation = MULTIPLIERS }: MethodOptions): boolean =>
   !Object.hasOwn(explicitSteppers, name) || formulation !== MULTIPLIERS;
 
+/** The same of a whole scenario: exponentials in it may cancel, which is rewritten there. */
+export const needsEverything = (scenario: { readonly method: MethodOptions }): boolean =>
+  needsEveryMotion(scenario.method) || /exp|sinh|cosh/.test(JSON.stringify(scenario));
+
 /**
  * What advances a run.
  *

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { compileExpression, formulaTree } from '../../../src/core/scenario/expressions.ts';
+import '../../../src/core/simulation/everyMotion.ts';
 import { withoutDifferences } from '../../../src/core/scenario/expressions/differences.ts';
 
 const { entries } = JSON.parse(readFileSync('tests/reference/expression-derivatives.json', 'utf8')) as {

@@ -4,6 +4,7 @@ import { compileExpression } from '../../../src/core/scenario/expressions.ts';
 import { closuresOf, mark } from '../../../src/core/scenario/expressions/closures.ts';
 import { Enclosure } from '../../../src/core/scenario/expressions/enclosure.ts';
 import { REACH_OF_STAGES } from '../../../src/core/scenario/expressions/pace.ts';
+import '../../../src/core/simulation/everyMotion.ts';
 import { Schedule } from '../../../src/core/scenario/expressions/schedule.ts';
 
 const of = (text: string) => compileExpression(text, { variables: ['t'] });

@@ -15,7 +15,7 @@ test('a course is ridden with keys, and how fast keys reach the picture is told'
   // With legs and hips too: the ride begins again.
   await page.getByTestId('ride-more').click();
   await page.getByTestId('ride-free').check();
-  await expect(ride).toHaveAttribute('data-phase', 'starting');
+  await expect(ride).toHaveAttribute('data-kind', 'body');
   await expect(ride).toHaveAttribute('data-phase', 'riding', { timeout: 60_000 });
   await page.getByTestId('ride-more').click();
   await page.keyboard.down('ArrowUp');

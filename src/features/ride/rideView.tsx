@@ -29,6 +29,7 @@ export function RideView({ onLeave }: { onLeave(): void }) {
         aria-label={words.label}
         data-testid="ride-view"
         data-phase={phase}
+        data-kind={session.kind}
         data-passed={passage.passed}
         data-latency={measure.latency ?? ''}
         data-dropped={measure.dropped}

@@ -1,3 +1,4 @@
+import { cosine } from '../elementary/trigonometry.ts';
 import { lagrange, valueAt } from '../integrators/shared/polynomials.ts';
 
 /**
@@ -31,7 +32,7 @@ export class BernsteinFit {
   /** @param degree n, at least 2 */
   constructor(degree: number) {
     const n = (this.degree = degree);
-    const nodes = Array.from({ length: n + 1 }, (_, j) => 0.5 - 0.5 * Math.cos((j * Math.PI) / n));
+    const nodes = Array.from({ length: n + 1 }, (_, j) => 0.5 - 0.5 * cosine((j * Math.PI) / n));
     this.nodes = nodes;
     this.coefficients = new Float64Array(n + 1);
     this.matrix = new Float64Array((n + 1) * (n + 1));
@@ -44,8 +45,8 @@ export class BernsteinFit {
         this.matrix[k * (n + 1) + j] = b;
       }
       const end = j === 0 || j === n ? 0.5 : 1;
-      this.last[j] = (end * Math.cos((j * Math.PI * (n - 1)) / n) * 2) / n;
-      this.last[n + 1 + j] = (end * Math.cos(j * Math.PI)) / n;
+      this.last[j] = (end * cosine((j * Math.PI * (n - 1)) / n) * 2) / n;
+      this.last[n + 1 + j] = (end * cosine(j * Math.PI)) / n;
     });
   }
 

@@ -24,7 +24,7 @@ const PLANTS: Record<string, Plant> = {
     inputs: ['tau_fc', 'tau_bc', 'tau_fp', 'tau_bp', 'tau_twist', 'f_X', 'f_Y', 'f_theta', 'f_alpha'],
   },
   'ripstik-rider': {
-    at: (random) => (random() < 0.2 ? {} : { X_dot: speed(random, 0.1, 10) }),
+    at: (random) => (random() < 0.2 ? {} : { X_dot: speed(random, 0.1, 25) }),
     // Up to ankles so stiff that the fastest mode is a thousand times the slowest.
     parameters: (random) => ({
       ankleStiffness: speed(random, 10, 2000),
@@ -102,6 +102,17 @@ function leavingReach({ split: { balance } }: ReachablePlant): number {
   return Matrix.sub(A.mmul(V), inside).norm() / A.norm();
 }
 
+/** The largest share of an input that lies outside. */
+function inputsOutside({ split: { balance } }: ReachablePlant): number {
+  const { B, reachable: V } = balance;
+  const outside = Matrix.sub(B, V.mmul(V.transpose().mmul(B)));
+  const shares = Array.from({ length: B.columns }, (_, k) => {
+    const size = B.getColumnVector(k).norm();
+    return size > 1e-12 ? outside.getColumnVector(k).norm() / size : 0;
+  });
+  return Math.max(...shares);
+}
+
 test(`${COUNT} random designs of seed ${SEED} are solved, or refused because no input reaches an unstable mode`, () => {
   const random = seeded(SEED);
   let solved = 0;
@@ -111,6 +122,7 @@ test(`${COUNT} random designs of seed ${SEED} are solved, or refused because no 
     const plant = reachablePlant(linearizationOf(raw));
     // A direction too few shows: what is reached is then no invariant subspace.
     expect(leavingReach(plant), told).toBeLessThan(1e-12);
+    expect(inputsOutside(plant), told).toBeLessThan(1e-9);
     const { Q, R, inputs } = raw.control;
     const weights = { Q: plant.linearization.states.map((s) => Q[s] ?? 0), R: inputs.map((name) => R[name]!) };
     let design;
@@ -188,3 +200,21 @@ test('a push along the blade does not reach the turning of a sleigh that goes ba
   const Q = plant.linearization.states.map(() => 1);
   expect(() => designLqr(plant, { Q, R: [1] })).toThrow(/no input reaches the unstable mode with eigenvalue 7\.176/);
 });
+
+// There 14 directions were as invariant as 12, with rounding as the share of the last two.
+test.each([12, 15, 21.737929270254018])(
+  'under a fast rider the smaller of two invariant subspaces is reached: %s m/s',
+  (speed) => {
+    const parameters = { ankleStiffness: 34.117, ankleDamping: 6.445, riderMass: 59.12, riderHeight: 0.91835 };
+    const plant = reachablePlant(
+      linearizationOf({
+        system: 'ripstik-rider',
+        parameters,
+        control: { type: 'lqr', inputs: ['tau_af', 'tau_ab'], at: { X_dot: speed } },
+      }),
+    );
+    expect(plant.split.A.rows).toBe(12);
+    const Q = plant.linearization.states.map(() => 1);
+    expect(designLqr(plant, { Q, R: [1, 1] }).riccati.residual).toBeLessThan(1e-10);
+  },
+);

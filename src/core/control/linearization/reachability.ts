@@ -88,7 +88,10 @@ export function splitByReachability(
   if (!byModes) return split;
   const modal = splitAt(A, B, middle, byModes);
   // A mode that grows with its rounding alone is none that no input reaches.
-  return (leavesGrowing(modal) && !leavesGrowing(split)) || (isInvariant(split) && !isInvariant(modal)) ? split : modal;
+  if (leavesGrowing(modal) !== leavesGrowing(split)) return leavesGrowing(modal) ? split : modal;
+  // Of two invariant subspaces with the inputs in them the smaller: what is reached is the smallest one.
+  const smaller = split.reachable.columns < modal.reachable.columns;
+  return isInvariant(split) && (smaller || !isInvariant(modal)) ? split : modal;
 }
 
 /**

@@ -22,7 +22,8 @@ const FRAMES = 60;
 function motionOf(id: string) {
   const { meta, poses, contacts } = systemViews[id]!;
   const parameters = Float64Array.from(meta.parameters, (p) => p.default);
-  const stride = 12 * meta.bodies.length;
+  const { bodies, limbs } = drawingOf(meta, {});
+  const stride = 12 * bodies.length;
   const all = new Float64Array(stride * FRAMES);
   const wheelAngles = new Float64Array(contacts.length * FRAMES);
   for (let k = 0; k < FRAMES; k++) {
@@ -31,6 +32,7 @@ function motionOf(id: string) {
     );
     const out = new Float64Array(stride);
     poses(q, parameters, out);
+    limbs?.place(out);
     all.set(out, stride * k);
     for (let c = 0; c < contacts.length; c++) wheelAngles[contacts.length * k + c] = 0.9 * k;
   }
@@ -48,7 +50,7 @@ const write = (id: string, more: Partial<Parameters<typeof glbOf>[0]> = {}) => {
   const motion = motionOf(id);
   const cast = { id, bodies: drawing.bodies, fixtures: drawing.fixtures, stage: drawing.stage };
   const { times, poses, wheelAngles, wheels } = motion;
-  const stride = 12 * meta.bodies.length;
+  const stride = 12 * drawing.bodies.length;
   const at = (time: number) => {
     const k = times.indexOf(time);
     return {

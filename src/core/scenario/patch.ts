@@ -108,8 +108,7 @@ export function decode(place: string, text: string): string {
 /** Text that is not JSON stands for itself, so that `12 deg` needs no quotes; everything else is JSON. */
 function writeValue(path: string, value: unknown): string {
   if (typeof value === 'string') return isJson(value) || !isWellFormed(value) ? JSON.stringify(value) : value;
-  if (Array.isArray(value) && value.every(isScalar)) return `[${value.map(writeScalar).join(',')}]`;
-  if (isScalar(value)) return writeScalar(value);
+  if (isListed(value)) return writeListed(value);
   throw new LinkError(path, 'is nothing that a link can carry');
 }
 
@@ -127,13 +126,18 @@ export function readValue(path: string, text: string): unknown {
   } catch {
     return text;
   }
-  if (isScalar(value) || (Array.isArray(value) && value.every(isScalar))) return value;
+  if (isListed(value)) return value;
   if (isRecord(value) && keysOf(value).length === 0) return {};
   throw new LinkError(path, 'holds a nested value; its parts belong in entries of their own');
 }
 
 /** Minus zero is another number. */
-const writeScalar = (value: unknown): string => (Object.is(value, -0) ? '-0' : JSON.stringify(value));
+const writeListed = (value: unknown): string =>
+  Array.isArray(value) ? `[${value.map(writeListed).join(',')}]` : Object.is(value, -0) ? '-0' : JSON.stringify(value);
+
+/** A word or number, a list of such (what is held), or of such lists (a ride's commands). */
+const isListed = (value: unknown, depth = 2): boolean =>
+  isScalar(value) || (depth > 0 && Array.isArray(value) && value.every((item) => isListed(item, depth - 1)));
 
 function isScalar(value: unknown): boolean {
   return (
@@ -186,7 +190,7 @@ function keepsOrder(from: Readonly<Record<string, unknown>>, to: Readonly<Record
 }
 
 function sameLeaf(a: unknown, b: unknown): boolean {
-  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((item, i) => Object.is(item, b[i]));
+  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((item, i) => sameLeaf(item, b[i]));
   return Object.is(a, b);
 }
 

@@ -45,9 +45,9 @@ function shoe(k: number, thickness: number): Part {
     group: 'shoe',
     material: 'grip',
     triangles: [
-      ...tube(heel, toe, k * 0.042, 16, k * 0.034),
+      ...tube(heel, toe, k * 0.042, 14, k * 0.034),
       ...ball(heel, k * 0.042, 10),
-      ...ball(toe, k * 0.034, 10),
+      ...ball(toe, k * 0.034, 8),
       ...ball(ankle, k * 0.05, 12),
     ],
   };
@@ -69,7 +69,7 @@ function riderBodies({ scale: k, sole, thigh, shank }: Figure): Sketch['bodies']
         group: 'rider',
         material: 'cloth' as const,
         triangles: [
-          ...ball([0, 0, 0], k * joint, 12),
+          ...ball([0, 0, 0], k * joint, 10),
           ...limb(
             [
               [0, 0, 0],
@@ -105,9 +105,9 @@ function riderBodies({ scale: k, sole, thigh, shank }: Figure): Sketch['bodies']
           group: 'rider',
           material: 'cloth',
           triangles: [
-            ...tube(pelvis, chest, k * 0.115, 22, k * 0.14),
-            ...ball(pelvis, k * 0.125, 18),
-            ...ball(chest, k * 0.145, 18),
+            ...tube(pelvis, chest, k * 0.115, 20, k * 0.14),
+            ...ball(pelvis, k * 0.125, 16),
+            ...ball(chest, k * 0.145, 16),
             ...tube(at(-0.16, -0.02, 1.265), at(0.16, -0.02, 1.265), k * 0.065, 16),
             ...both(arm),
           ],
@@ -117,7 +117,7 @@ function riderBodies({ scale: k, sole, thigh, shank }: Figure): Sketch['bodies']
           material: 'paint',
           triangles: [
             ...tube(at(0, -0.02, 1.28), at(0.01, -0.04, 1.42), k * 0.05),
-            ...ball(at(0.015, -0.045, 1.5), k * 0.108, 20),
+            ...ball(at(0.015, -0.045, 1.5), k * 0.108, 18),
             ...ball(at(0.122, -0.05, 1.49), k * 0.02, 8),
           ],
         },

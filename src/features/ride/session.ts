@@ -78,9 +78,10 @@ export class Session {
   /** A ride that is on the stage is not thrown away: it is ridden on, from where one likes, or begun again. */
   private goOn(): boolean {
     const { motion, run } = this.app.state;
-    const file = motion.peek()?.written;
-    if (file?.control?.type !== 'ride' || run.peek()?.kind === 'computing') return false;
-    this.rider = file.system === 'ripstik-rider';
+    const { written: file, system } = motion.peek() ?? {};
+    if (!system || file?.control?.type !== 'ride' || run.peek()?.kind === 'computing') return false;
+    // Whoever rides is a body of the system where a gait has it held upright.
+    this.rider = (system.meta.gait?.hold ?? []).length > 0;
     this.free = (file.release ?? []).length > 0;
     this.best = storedBest(this.kind);
     this.phase = 'over';

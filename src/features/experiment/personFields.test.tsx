@@ -24,11 +24,14 @@ test('height and mass become the rider’s parameters, and are read from them', 
   draw(<PersonFields />, { app, features: [] });
   // The rider that the system comes with is rounded: nobody's.
   expect([field('height').value, field('mass').value]).toEqual(['', '']);
+  // Hips that turn as the system's own do need not be written.
   fireEvent.change(field('mass'), { target: { value: '60' } });
-  expect(app.state.draft.peek().parameters).toEqual(riderOf({ height: 1.75, mass: 60 }));
+  expect({ hipIzz: 0.6, ...app.state.draft.peek().parameters }).toEqual(riderOf({ height: 1.75, mass: 60 }));
   expect([field('height').value, field('mass').value]).toEqual(['1.75', '60']);
+  fireEvent.change(field('mass'), { target: { value: '80' } });
+  expect(app.state.draft.peek().parameters).toEqual(riderOf({ height: 1.75, mass: 80 }));
   fireEvent.change(field('height'), { target: { value: '9' } });
-  expect(app.state.draft.peek().parameters).toEqual(riderOf({ height: 1.75, mass: 60 }));
+  expect(app.state.draft.peek().parameters).toEqual(riderOf({ height: 1.75, mass: 80 }));
   fireEvent.change(field('height'), { target: { value: '' } });
   expect(app.state.draft.peek().parameters ?? {}).toEqual({});
 });

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 GREEK = {
-    "α": r"\alpha", "β": r"\beta", "δ": r"\delta", "θ": r"\theta", "λ": r"\lambda", "ρ": r"\rho", "τ": r"\tau", "φ": r"\varphi", "ψ": r"\psi", "ω": r"\omega",
+    "α": r"\alpha", "β": r"\beta", "δ": r"\delta", "ζ": r"\zeta", "θ": r"\theta", "κ": r"\kappa", "λ": r"\lambda", "ρ": r"\rho", "τ": r"\tau", "φ": r"\varphi", "ψ": r"\psi", "ω": r"\omega",
 }
 
 

@@ -1,6 +1,6 @@
 import type { EventFunction } from '../mechanics/events.ts';
 import type { CoordinateMeta } from '../model/system.ts';
-import { firstCrossing, type Crossing } from './firstCrossing.ts';
+import { firstCrossing, firstTime, type Crossing } from './firstCrossing.ts';
 import type { LastStep } from './lastStep.ts';
 
 /** An event is glanced at over ways of a coordinate no longer than this, m and rad, in up to so many pieces of a step. */
@@ -54,7 +54,7 @@ export class Crossings {
       if (!event.smooth && (value > 0 || !(before > 0))) continue;
       const within = event.smooth ? this.crossing(event, before, value, pieces) : ([previousT, t] as const);
       if (!within) continue;
-      const time = this.bisect(event, ...within);
+      const time = firstTime((at) => !(this.valueAt(event, at) > 0), ...within);
       if (!first || time < first.time) first = { event, time };
     }
     return first;
@@ -96,14 +96,5 @@ export class Crossings {
     step.lookAt(time);
     step.project(time);
     return event.value(time, step.atQ, step.atV);
-  }
-
-  /** First time in (low, high] at which the event's value is not positive, to the last digits of t. */
-  private bisect(event: EventFunction, low: number, high: number): number {
-    for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
-      if (this.valueAt(event, middle) > 0) low = middle;
-      else high = middle;
-    }
-    return high;
   }
 }

@@ -140,3 +140,18 @@ function sizeOf(values: Float64Array): number {
   for (const x of values) most = Math.max(most, Math.abs(x));
   return most;
 }
+
+/**
+ * First time in (low, high] at which a test holds that holds at `high`, to the last digits of t.
+ *
+ * @param test of a time
+ * @param low s; the test fails there
+ * @param high s
+ */
+export function firstTime(test: (t: number) => boolean, low: number, high: number): number {
+  for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
+    if (test(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
+}

@@ -1,4 +1,4 @@
-import { firstCrossing } from './firstCrossing.ts';
+import { firstCrossing, firstTime } from './firstCrossing.ts';
 import { REACHED } from './run.ts';
 import type { LastStep } from './lastStep.ts';
 import type { Saturation } from './saturation.ts';
@@ -106,13 +106,4 @@ export class LimitTurns {
     }
     return turned;
   }
-}
-
-/** First time in (low, high] at which a test holds that holds at `high`, to the last digits of t. */
-function firstTime(test: (t: number) => boolean, low: number, high: number): number {
-  for (let middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high)) {
-    if (test(middle)) high = middle;
-    else low = middle;
-  }
-  return high;
 }

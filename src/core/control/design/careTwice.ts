@@ -1,8 +1,8 @@
-import { Matrix } from 'ml-matrix';
-import { doubled, type Algebra } from './doubling.ts';
+import type { Matrix } from 'ml-matrix';
 import { DoubleDouble } from '../../linalg/doubleDouble.ts';
 import { norm } from '../linearization/matrices.ts';
-import { plainEigenvalues, type Complex } from '../linearization/spectrum.ts';
+import type { Complex } from '../linearization/spectrum.ts';
+import { doubledTwice, eigenvaluesOfBothEnds, GOOD, ON_ALL, once, twice } from './twice.ts';
 
 /**
  * The Riccati equation of `riccati.ts` in twice the precision, by the same structure-preserving doubling: for weights
@@ -20,21 +20,8 @@ export interface PreciseSolution {
   doublings: number;
 }
 
-const MOST_DOUBLINGS = 120;
-const CONVERGED = 1e-20;
-/** A residual at which no better one is looked for. */
-const GOOD = 1e-13;
-const SETTLED = 1e-9;
-/**
- * A cost on everything, as a share of Q's: with it the least solution, which doubling finds, is the stabilizing one.
- * The smallest that rounding lets through.
- */
-const ON_ALL = [1e-26, 1e-23, 1e-20];
 /** Shares of the largest rate tried for gamma. */
 const GAMMAS = [1, 0.1, 0.01, 1e-3, 1e-4];
-
-const twice = (A: Matrix): DoubleDouble => DoubleDouble.from(A.to1DArray(), A.rows, A.columns);
-const once = (A: DoubleDouble): Matrix => Matrix.from1DArray(A.rows, A.columns, [...A.hi]);
 
 /**
  * Every mode of A on the imaginary axis is seen by Q: the caller has looked.
@@ -80,19 +67,8 @@ function doubling(A: DoubleDouble, G: DoubleDouble, H: DoubleDouble, gamma: numb
   const zero = new DoubleDouble(n, n);
   const Gk = zero.plus(inverse.times(G).times(inverseW), 2 * gamma).symmetric();
   const Hk = zero.plus(inverseW.times(H).times(inverse), 2 * gamma).symmetric();
-  return doubled(IN_TWICE, n, { Ak, Gk, Hk }, { mostSteps: MOST_DOUBLINGS, converged: CONVERGED, settled: SETTLED });
+  return doubledTwice({ Ak, Gk, Hk });
 }
-
-/** Matrices in twice the precision, as `doubling.ts` takes them. */
-export const IN_TWICE: Algebra<DoubleDouble> = {
-  identity: (n) => DoubleDouble.identity(n),
-  times: (a, b) => a.times(b),
-  plus: (a, b) => a.plus(b),
-  transposed: (a) => a.transpose(),
-  symmetric: (a) => a.symmetric(),
-  solve: (W, B) => W.solve(B),
-  norm: (a) => a.norm(),
-};
 
 /** |A^T X + X A - w^T w + Q| as a share of its terms. */
 function residualOf(A: DoubleDouble, w: DoubleDouble, Q: DoubleDouble, X: DoubleDouble): number {
@@ -100,29 +76,4 @@ function residualOf(A: DoubleDouble, w: DoubleDouble, Q: DoubleDouble, X: Double
   const ww = w.transpose().times(w);
   const rest = AtX.plus(AtX.transpose()).plus(ww, -1).plus(Q);
   return rest.norm() / (2 * AtX.norm() + ww.norm() + Q.norm() || 1);
-}
-
-/** Below this share of the largest, eigenvalues are taken from the inverse, where they are the largest. */
-const SLOW = 1e-7;
-
-/**
- * Eigenvalues of a matrix whose rates lie far apart: the fast ones from itself, the slow ones from its inverse.
- *
- * @param A n x n
- * @returns null where it has no inverse
- */
-export function eigenvaluesOfBothEnds(A: DoubleDouble): Complex[] | null {
-  const inverse = A.solve(DoubleDouble.identity(A.rows));
-  if (!inverse) return null;
-  const fast = plainEigenvalues(once(A));
-  const largest = Math.max(...fast.map(([re, im]) => Math.hypot(re, im)));
-  const size = ([re, im]: Complex): number => Math.hypot(re, im);
-  const slow = plainEigenvalues(once(inverse))
-    .map(([re, im]): Complex => {
-      const square = re * re + im * im;
-      return [re / square, -im / square];
-    })
-    .sort((a, b) => size(a) - size(b));
-  const kept = fast.filter((value) => size(value) > SLOW * largest);
-  return [...slow.slice(0, A.rows - kept.length), ...kept];
 }

@@ -1,7 +1,5 @@
-import { Matrix } from 'ml-matrix';
 import { DoubleDouble } from '../../linalg/doubleDouble.ts';
-import { eigenvaluesOfBothEnds, IN_TWICE } from '../design/careTwice.ts';
-import { doubled } from '../design/doubling.ts';
+import { doubledTwice, eigenvaluesOfBothEnds, GOOD, ON_ALL, once } from '../design/twice.ts';
 import type { Complex } from '../linearization/spectrum.ts';
 import type { DareSolution } from './dareSolution.ts';
 
@@ -13,16 +11,6 @@ export interface PreciseProblem {
   R: DoubleDouble;
   N: DoubleDouble;
 }
-
-const MOST_DOUBLINGS = 120;
-const CONVERGED = 1e-20;
-const SETTLED = 1e-9;
-/** A residual at which no better one is looked for. */
-const GOOD = 1e-13;
-/** As in `careTwice.ts`: a cost on everything, as a share of Q's. */
-const ON_ALL = [1e-26, 1e-23, 1e-20];
-
-const once = (A: DoubleDouble): Matrix => Matrix.from1DArray(A.rows, A.columns, [...A.hi]);
 
 /**
  * Every mode on the unit circle is seen by the cost: the caller has looked.
@@ -41,12 +29,7 @@ export function solveDareTwice({ A, B, Q, R, N }: PreciseProblem): DareSolution 
   let best: DareSolution | null = null;
   for (const share of ON_ALL) {
     const Hk = state.plus(DoubleDouble.identity(n, share * (state.norm() || 1)));
-    const found = doubled(
-      IN_TWICE,
-      n,
-      { Ak: plain, Gk, Hk },
-      { mostSteps: MOST_DOUBLINGS, converged: CONVERGED, settled: SETTLED },
-    );
+    const found = doubledTwice({ Ak: plain, Gk, Hk });
     const solution = found && judged({ A, B, Q, R, N }, found.X);
     if (!solution || (best && !(solution.residual < best.residual))) continue;
     best = { ...solution, doublings: found.steps };

@@ -1,5 +1,6 @@
 import type { Matrix } from 'ml-matrix';
 import { DoubleDouble } from '../../linalg/doubleDouble.ts';
+import { twice } from '../design/twice.ts';
 import { memoryOf } from './hold.ts';
 import type { PreciseProblem } from './dareTwice.ts';
 
@@ -10,8 +11,6 @@ import type { PreciseProblem } from './dareTwice.ts';
 /** Norm of (A B; 0 0) h from which the series are summed, and how far: 0.5^m / m! is then below 1e-32. */
 const SHORT = 0.25;
 const TERMS = 24;
-
-const twice = (A: Matrix): DoubleDouble => DoubleDouble.from(A.to1DArray(), A.rows, A.columns);
 
 /** Copies a block of one matrix into another. */
 function put(
